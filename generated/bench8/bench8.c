@@ -18,8 +18,8 @@
 #include <float.h>
 #include <limits.h>
 
-/* Other numbers than those of IEEE 754, and fast math, give wrong results with status OK. Refused here is what
- * the compiler shows of them; clang does not show -funsafe-math-optimizations. */
+/* Other numbers than those of IEEE 754, and fast math, give wrong results with status OK. Refused here is
+ * what the compiler shows of them; clang does not show -funsafe-math-optimizations. */
 #if FLT_RADIX != 2 || DBL_MANT_DIG != 53
 #error "wrong results: bench8 needs a double of 64 bits, 53 of them significant"
 #endif
@@ -211,11 +211,11 @@ BENCH8_CODE static bench8_real bench8_unwound(bench8_real phi, bench8_real k)
 }
 
 /* The angle wrapped to within half a turn of zero.
- * |phi| <= 1e+07: beyond this the result is meaningless, but the call is safe. */
+ * |phi| <= 1e7: beyond this the result is meaningless, but the call is safe. */
 BENCH8_CODE static bench8_real bench8_wrapped(bench8_real phi)
 {
     /* k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits. */
-    const bench8_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
+    const bench8_real k = phi * BENCH8_TURNS_A_RADIAN + BENCH8_ROUNDER - BENCH8_ROUNDER;  /* turns */
     return bench8_unwound(phi, k);
 }
 
@@ -346,7 +346,7 @@ BENCH8_CODE static void bench8_rotate_back(
 }
 
 /* Sines and cosines of all phases.
- * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
+ * |x| <= 1e7, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 BENCH8_CODE static void bench8_sincos_each(
     const bench8_real x[BENCH8_N], bench8_real *restrict sine /* [BENCH8_N] */,
@@ -354,9 +354,9 @@ BENCH8_CODE static void bench8_sincos_each(
 {
     for (int s = 0; s < BENCH8_N; ++s) {
         /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits. */
-        const bench8_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
+        const bench8_real shifted = x[s] * 0.6366197723675814 + BENCH8_ROUNDER;
         const bench8_word quadrant = bench8_bits_of(shifted);  /* mod 4: its last two bits */
-        const bench8_real k = shifted - 6755399441055744.0;
+        const bench8_real k = shifted - BENCH8_ROUNDER;
         /* r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact. */
         const bench8_real rest = x[s] - k * 1.570796325802803;
         const bench8_real second = k * 9.920935796805365e-10;
@@ -1080,8 +1080,7 @@ BENCH8_CODE static bench8_status bench8_carry_over(
         const bench8_real step = h * rate->phi[i] + kept.rounding[i + 13];
         const bench8_real sum = start + step;
         const bench8_real sum_b = sum - start;
-        /* turns */
-        const bench8_real k = sum * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
+        const bench8_real k = sum * BENCH8_TURNS_A_RADIAN + BENCH8_ROUNDER - BENCH8_ROUNDER;  /* turns */
         const bench8_real left = sum - k * 6.283185303211212;
         const bench8_real within = left + -(k * 3.968374318722146e-9);
         const bench8_real within_b = within - left;
@@ -1235,7 +1234,7 @@ BENCH8_CODE static void bench8_orthogonalise(bench8_inverse_work *restrict work)
         for (int j = 0; j < 6; ++j) { work->U[i][j] = 0.0; }
         work->U[i][i] = 1.0;
     }
-    for (int sweep = 0; sweep < 9; ++sweep) {  /* they converge quadratically */
+    for (int sweep = 0; sweep < 9; ++sweep) {  /* enough: they converge quadratically */
         for (int p = 0; p < 5; ++p) {
             for (int q = p + 1; q < 6; ++q) {
                 bench8_real a = 0.0;

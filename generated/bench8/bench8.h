@@ -15,7 +15,8 @@
  * deepest chain of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64
  * bits. The routines of the compiler's library (memcpy, arithmetic without an FPU) come on top.
  * `mahovik verify --cost` measures.
- * Inputs are checked; of the table its stream alone: pass one that prepare made, or a copy of the default.
+ * Inputs are checked; of the table nothing:
+ * pass one that prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
@@ -37,17 +38,17 @@
  * BENCH8_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef BENCH8_PLAIN_NAMES
-#define bench8_default_parameters bench8_default_parameters_f64_8eeb05f4
-#define bench8_default            bench8_default_f64_8eeb05f4
-#define bench8_default_options    bench8_default_options_f64_8eeb05f4
-#define bench8_forward            bench8_forward_f64_8eeb05f4
-#define bench8_momentum           bench8_momentum_f64_8eeb05f4
-#define bench8_torque             bench8_torque_f64_8eeb05f4
-#define bench8_coupled            bench8_coupled_f64_8eeb05f4
-#define bench8_step               bench8_step_f64_8eeb05f4
-#define bench8_inverse            bench8_inverse_f64_8eeb05f4
-#define bench8_inverse_fast       bench8_inverse_fast_f64_8eeb05f4
-#define bench8_prepare            bench8_prepare_f64_8eeb05f4
+#define bench8_default_parameters bench8_default_parameters_f64_f5a668f0
+#define bench8_default            bench8_default_f64_f5a668f0
+#define bench8_default_options    bench8_default_options_f64_f5a668f0
+#define bench8_forward            bench8_forward_f64_f5a668f0
+#define bench8_momentum           bench8_momentum_f64_f5a668f0
+#define bench8_torque             bench8_torque_f64_f5a668f0
+#define bench8_coupled            bench8_coupled_f64_f5a668f0
+#define bench8_step               bench8_step_f64_f5a668f0
+#define bench8_inverse            bench8_inverse_f64_f5a668f0
+#define bench8_inverse_fast       bench8_inverse_fast_f64_f5a668f0
+#define bench8_prepare            bench8_prepare_f64_f5a668f0
 #endif
 
 #ifdef __cplusplus
@@ -79,7 +80,7 @@ typedef double bench8_real;
 #define BENCH8_MAX_TURN_2        0.1       /* rad; turn in a step of order 2; beyond: COARSE */
 #define BENCH8_LARGEST           1.7976931348623157e308  /* largest finite number */
 
-/* ---- constants of decisions ---- */
+/* ---- constants ---- */
 
 #define BENCH8_SMALLEST          2.2250738585072014e-308  /* smallest number with all digits */
 #define BENCH8_MIN_NORM2         0.998001  /* square of the length of a quaternion, or of sine and cosine */
@@ -95,6 +96,8 @@ typedef double bench8_real;
 #define BENCH8_EPS_INERTIA       1.0e-9    /* how far below 0 rounding may take an eigenvalue */
 #define BENCH8_MAX_INERTIA       1.0e60    /* kg m2; sum of all moments of inertia about O1 */
 #define BENCH8_EPS_SQUARE        1.0e-30   /* square of a length: below, it has no direction */
+#define BENCH8_ROUNDER           6755399441055744.0  /* added and taken off: to a whole number */
+#define BENCH8_TURNS_A_RADIAN    0.15915494309189535  /* 1 / (2 pi) */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
 
@@ -106,7 +109,8 @@ enum {
     BENCH8_DAMPED = 2,                    /* damping was applied */
     BENCH8_LIMITED = 4,                   /* a limit was reached; `limited` says by which flywheels */
     BENCH8_UNREACHABLE = 8,               /* wanted motion not reached: residual above 1e-9 of the demand */
-    BENCH8_RANK_DEFICIENT = 16,           /* fewer than min(6, N) singular values above 1e-9 of the largest */
+    BENCH8_RANK_DEFICIENT = 16,           /* fewer than min(m, N) singular values above 1e-9 of the
+                                           * largest; m of the demand */
     BENCH8_COARSE = 32,                   /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
     BENCH8_EXCESSIVE = 64,                /* more than a motor's torque or speed, or than `most` */
     BENCH8_NOT_FINITE = -1,               /* an input is NaN or infinite */
@@ -333,7 +337,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
  *   phi_ddot[8]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
- * Damping is relative to the norm of W.
+ * `damping` is in units of the root of the sum of squares of sigma, which inverse gives.
  * EXCESSIVE counts Theta_ff phi_ddot and the friction of the motor. What the carrier's motion adds is left
  * out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides this bit
  * alone.
@@ -351,8 +355,8 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
  * The generator makes the default table by the same operations: the default parameters give its bits.
  * Also returns RANGE if a mass is negative or an axis has no direction.
  * NOT_POSITIVE_DEFINITE: no such body exists. Moments of inertia about the centre of mass are negative or
- * break the triangle inequality (to 1e-09 of the largest element); a flywheel without spin inertia; no
- * mass at all.
+ * break the triangle inequality (to 1e-9 of the largest element); a flywheel without spin inertia; no mass
+ * at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 11227 operations on reals, 67 of them divisions. Stack: at most 2016 bytes. */

@@ -99,7 +99,8 @@ def test_check_finds_what_was_changed_or_lost_and_writes_nothing(folder: Path) -
         (folder / name).unlink()
         assert f"{folder / name}: is missing" in refused(*check, status=1)
         (folder / name).write_text(text)
-    assert "is missing" in refused("generate", DEMO3, "-o", str(folder / "none"), "--check", status=1)
+    said = refused("generate", DEMO3, "-o", str(folder / "none"), "--check", status=1)
+    assert "manifest.json: is missing, expected what generate wrote, with the project that it was made with" in said
     assert not (folder / "none").exists()
 
 
@@ -137,6 +138,8 @@ def test_what_is_no_longer_delivered_is_removed(folder: Path) -> None:
     (folder / "kept.h").write_text("changed by hand\n")
     assert f"{folder / 'old.h'} was removed: it is no longer delivered" in generate(folder)
     assert set(contents(folder)) == before | {"kept.h"}
+    run("generate", DEMO3, "-o", str(folder), "--only", "forward")
+    assert not (folder / "verification").exists()
 
 
 def test_a_page_of_cost_that_was_measured_on_other_c_is_removed_and_that_of_others_stays(folder: Path) -> None:

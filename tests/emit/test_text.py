@@ -10,7 +10,10 @@ import pytest
 
 from emit.stands import AIR, HELD, generated, other_numbers, stand
 from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import generate, generate_all
+from mahovik.core.emit.layout import WIDTH
+from mahovik.core.emit.readme import readme
 from mahovik.core.program.simplify import loops_of_no_turn
 from mahovik.core.stand.random import random_stand
 from mahovik.core.stand.structure import structure
@@ -109,3 +112,18 @@ def test_few_flywheels_leave_no_idle_loop_or_operation(flywheels: int, held: boo
     assert [f.name for f in made.program.functions if any(loops_of_no_turn(f.body))] == []
     idle = re.compile(r"(?<![\w.])[01] \* | [+-] 0(?![.\w])| \* [01](?![.\w])")
     assert [line for line in code_of(made.files["few.c"]).splitlines() if idle.search(line)] == []
+
+
+@pytest.mark.parametrize("name", ["wet7", "channel1", "demo3"])
+def test_headers_say_the_equation_in_the_twist_that_it_takes_within_the_width_of_a_line(name: str) -> None:
+    """Relative to the stream in a stream, where V_dot stays that of V; batches have lines of code that cannot break."""
+    example, made = stand(name), generated(name)
+    header, page = made.files[f"{name}.h"], readme(example, made)
+    twist = "V_r" if example.stream or example.profile else "V"
+    for text in (header, page):
+        assert f"K {twist}_dot + M {twist}" in text
+        assert ("V_r_dot" in text) == (twist == "V_r")
+        assert not re.search(r"\bK V_dot\b|\bM V\b", text) or twist == "V"
+    comments = [header, *(text for file, text in batch_files(example, made).items() if file.endswith(".h"))]
+    lines = [line for text in comments for line in text.splitlines() if line.endswith("*/") or line.startswith(" * ")]
+    assert max(map(len, lines)) <= WIDTH

@@ -94,7 +94,7 @@ ANSWERS: Mapping[str, Key] = {
             "residual",
             ("6 or m",),
             "N, N m",
-            "F - K V_dot - M V - J phi_dot - I phi_ddot; of a task demand less reached",
+            "F - K V_r_dot - M V_r - J phi_dot - I phi_ddot, at V_r; of a task demand less reached",
         ),
         Key("sigma", ("least",), "", "singular values, descending: the lesser of N and 6, or m"),
         Key("rank", (), "", "number of those above the threshold"),

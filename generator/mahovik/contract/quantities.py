@@ -37,6 +37,7 @@ BOUNDS = {
         Bound("MAX_STEP", 10.0, "s", "a time step"),
         Bound("MAX_PARAMETER", 1e15, "SI", "each mass, length and moment of inertia"),
         Bound("MAX_WEIGHT", 1e6, "", "the weight of a flywheel in inverse; at least its inverse"),
+        Bound("MAX_DEFLECTION", 1.5, "rad", "the deflection of a fin"),
         Bound("MAX_ROUNDING", 1.0, "SI", "each number of a carry"),
         Bound("MAX_TURN_4", 1.0, "rad", "turn in a step of order 4; beyond: COARSE"),
         Bound("MAX_TURN_2", 0.1, "rad", "turn in a step of order 2; beyond: COARSE"),

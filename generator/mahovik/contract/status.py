@@ -26,7 +26,7 @@ STATUSES = (
     Status("DAMPED", 2, "damping was applied"),
     Status("LIMITED", 4, "a limit was reached; `limited` says by which flywheels"),
     Status("UNREACHABLE", 8, "wanted motion not reached: residual above {unreachable} of the demand"),
-    Status("RANK_DEFICIENT", 16, "fewer than min(6, N) singular values above {rank} of the largest"),
+    Status("RANK_DEFICIENT", 16, "fewer than min(m, N) singular values above {rank} of the largest; m of the demand"),
     Status("COARSE", 32, "step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it"),
     Status("EXCESSIVE", 64, "more than a motor's torque or speed, or than `most`"),
     Status("NOT_FINITE", -1, "an input is NaN or infinite", "an input is NaN or infinite"),

@@ -66,7 +66,7 @@ def test_every_function_of_the_header_is_judged(name: str, real: str, tmp_path: 
 FAULTS = [
     ("sign of the trim", r"found - design->matrix", "found + design->matrix", ("trim_step", "wanted")),
     ("mask not heeded", r"invalid\[s\] == 0;", "1;", ("servo_step", "status")),
-    ("no wrap", r"6755399441055744\.0 - 6755399441055744\.0", "0.0", ("servo_step", "tau")),
+    ("no wrap", r"(\w+_ROUNDER) - \1", "0.0", ("servo_step", "tau")),
     ("integral without limit", r"shaker2_clamped\(z, -gains->limit\[s\], gains->limit\[s\]\)", "z",
      ("servo_step", "integral")),
     ("limit not reported", r"\? 1 : cut;", "? 0 : cut;", ("servo_step", "status")),

@@ -54,7 +54,7 @@ class AttitudePrinter:
         )
         source = self.render(
             "attitude.c.j2",
-            limits=[*code.limits(), *code.constants],
+            limits=[*code.limits, *code.constants],
             tables=[code.table("attitude_default", config, self._tables.settings)],
             functions=code.functions,
         )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import Any
 
@@ -100,12 +100,13 @@ class Code:
         """A hexadecimal literal."""
         return hex_literal(float(value), self.precision)
 
-    def limits(self, more: Collection[str] = ()) -> list[tuple[str, str, str]]:
-        """Macro, value and meaning of the bounds that the program uses, and of `more`."""
+    @property
+    def limits(self) -> list[tuple[str, str, str]]:
+        """Macro, value and meaning of the bounds that the program uses."""
         return [
             (self.names.constant(x.name), self.real(x.value), f"{x.unit}; {x.comment}" if x.unit else x.comment)
             for x in limits(self.precision).values()
-            if x.name in self._named or x.name in more
+            if x.name in self._named
         ]
 
     @property

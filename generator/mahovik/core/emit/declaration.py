@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from mahovik.core.emit.layout import WIDTH, filled, hanging, paragraph, wrap_statement
+from mahovik.core.emit.layout import WIDTH, comment_lines, filled, hanging, paragraph, wrap_statement
 from mahovik.core.emit.names import Names, member
 from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost, stack_bound
@@ -14,7 +14,7 @@ from mahovik.core.program.types import Struct
 
 def struct_lines(struct: Struct, names: Names) -> list[str]:
     """A struct definition with one comment per member."""
-    head = [f"/* {struct.purpose} */", f"typedef struct {names.type(struct)} {{"]
+    head = [*comment_lines(struct.purpose), f"typedef struct {names.type(struct)} {{"]
     comments = ["; ".join(part for part in (f.unit, f.comment) if part) for f in struct.fields]
     declarations = [f"{names.declaration(member(f.name), f.type, f.shape)};" for f in struct.fields]
     width = max(len(d) for d in declarations)
@@ -27,8 +27,7 @@ def struct_lines(struct: Struct, names: Names) -> list[str]:
                 lines.append(f"    {declaration}")
             continue
         lead = f"    {declaration:<{width}}  "
-        lines += paragraph(comment, f"{lead}/* ", " " * len(lead) + " * ")
-        lines[-1] += " */"
+        lines += comment_lines(comment, lead, " " * len(lead))
     return [*head, *lines, f"}} {names.type(struct)};"]
 
 

@@ -210,6 +210,8 @@ def deliver(
     notes = [f"{folder / name} is yours and stays as it is" for name in yours]
     for path, why in stale.items():
         path.unlink(missing_ok=True)
+        if path.parent != folder and not any(path.parent.iterdir()):
+            path.parent.rmdir()
         notes.append(f"{path} was removed: it {why}")
     return Delivery(paths, tuple(notes))
 
@@ -291,7 +293,8 @@ def differences(folder: Path, stand: Stand, files: Mapping[str, str], beside: Ma
     for name, text in {**files, **beside}.items():
         path = folder / name
         if not path.is_file():
-            result.append(f"{path}: is missing")
+            made_as = ", expected what generate wrote, with the project that it was made with" if name == NAME else ""
+            result.append(f"{path}: is missing{made_as}")
         elif path.read_bytes() != text.encode("utf-8"):
             other = "does not list these files" if name == NAME else "is not what the generator makes of the stand file"
             result.append(f"{path}: {other}")

@@ -116,7 +116,7 @@ class _Printer:
             public=code.public_declarations(code.public),
             functions=code.functions,
             tables=[],
-            limits=[*code.limits(), *code.constants],
+            limits=[*code.limits, *code.constants],
             groups=[g for g in groups.values() if g.count or g.name in ("DRIVE", "STEP", "LAWS")],
             values=len(self._form.variables),
             variables=[self._row(v) for v in settable],

@@ -31,7 +31,7 @@ def fuzz_harness(program: Program, identities: Identities) -> str:
         epsilon=code.real(precision.epsilon),
         smallest=code.real(precision.smallest),
         subnormal=code.real(precision.smallest * precision.epsilon),
-        bounds=[macro for macro, _, _ in code.limits() if macro != code.names.constant("LARGEST")],
+        bounds=[macro for macro, _, _ in code.limits if macro != code.names.constant("LARGEST")],
         largest=code.names.constant("LARGEST"),
         stream=bool(table.field("stream")),
     )

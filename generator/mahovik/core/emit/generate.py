@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
 from mahovik.contract.functions import ALL, CHOSEN, FUNCTIONS, is_default, row_of, task_of
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.layout import wrap_statement
+from mahovik.core.emit.layout import comment_lines, wrap_statement
 from mahovik.core.emit.log_format import RESERVED
 from mahovik.core.emit.names import RESERVED as OF_STANDS
 from mahovik.core.emit.status import statuses
@@ -15,6 +16,7 @@ from mahovik.core.lower.layout import Layout, run_time_inputs
 from mahovik.core.lower.limits import constants, limits
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.programme import RESERVED as OF_PROGRAMMES
+from mahovik.core.lower.stream import NAME as STREAM_PROFILE
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.simplify import restrict_program
@@ -120,13 +122,16 @@ class _Printer:
         return self._code.render(
             "stand.h.j2",
             **self._known,
-            limits=self._code.limits(() if self._part else limits(self._code.precision)),
+            limits=self._code.limits,
             constants=self._code.constants,
-            statuses=statuses(self._names, self._layout, self._program if self._part else None),
+            statuses=self._statuses(),
+            checked=_checked(self._layout),
             prepares=any(f.name == "prepare" for f in self._code.public),
             takes_root=any(f.name == "sqrt" for f in self._program.functions),
             held=self._layout.held,
-            stream=self._layout.stream,
+            tasks=self._layout.structure.tasks,
+            V=self._layout.twist,
+            at_depth=" at the depth of O1" if self._layout.structure.stream_stations else "",
             enums=self._enums(),
             structs=self._code.structs(header_structs(self._program)),
             externs=[
@@ -135,6 +140,13 @@ class _Printer:
             ],
             functions=self._code.public_declarations(self._code.public),
         )
+
+    def _statuses(self) -> Iterator[list[str]]:
+        """Lines of each enumerator of a status."""
+        rows = statuses(self._names, self._layout, self._program if self._part else None)
+        for name, value, meaning in rows:
+            lead = f"    {f'{name} = {value}' + ',' * (name != rows[-1][0]):<36}  "
+            yield comment_lines(meaning, lead, " " * len(lead))
 
     def source(self) -> str:
         """The source: routines, internal functions, public functions, tables."""
@@ -204,6 +216,15 @@ class _Printer:
             "sensor": list(self._layout.sensors),
             "frame": [stand.bodies[o.index].name for o in self._layout.local_bodies],
         }
+
+
+def _checked(layout: Layout) -> str:
+    """Members of the table that every function checks."""
+    members = [
+        name for name, there in (("stream", layout.stream), (STREAM_PROFILE, layout.structure.stream_stations)) if there
+    ]
+    members += [f"{item.array}[].{item.member}" for item in run_time_inputs(layout.structure)]
+    return f"{', '.join(members)} alone" if members else "nothing"
 
 
 def describe_bodies(stand: Stand) -> str:

@@ -60,9 +60,9 @@ def filled(items: Sequence[str], indent: str, end: str) -> list[str]:
     return [*lines, line]
 
 
-def comment_lines(text: str, indent: str = "") -> list[str]:
-    """Prose as a comment."""
-    lines = paragraph(text, f"{indent}/* ", f"{indent} * ")
+def comment_lines(text: str, indent: str = "", later: str | None = None) -> list[str]:
+    """Prose as a comment after `indent`; before its later lines `later`, if it differs."""
+    lines = paragraph(text, f"{indent}/* ", f"{indent if later is None else later} * ")
     return [*lines[:-1], f"{lines[-1]} */"]
 
 

@@ -113,7 +113,7 @@ class _Printer:
         return self._code.render(
             "programme.c.j2",
             **self._known,
-            limits=[*self._code.limits(), *self._code.constants],
+            limits=[*self._code.limits, *self._code.constants],
             facts=[text for line in self._facts.lines for text in paragraph(line, " *   ", " *     ")],
             structs=self._code.structs(s for s in self._made.program.structs if s is not CLOCK),
             tables=[self._code.table(f"{table.name}_values", table, value) for table, value in tables],

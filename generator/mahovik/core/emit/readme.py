@@ -30,6 +30,7 @@ def readme(stand: Stand, generated: Generated, additions: tuple[str, ...] = ()) 
         additions=additions,
         flywheel=stand.flywheels[0].name if stand.flywheels else "",
         held=generated.layout.held,
+        V=generated.layout.twist,
         freedoms=generated.layout.freedoms,
         functions=[
             (f.name, purpose_with_number(f).replace("|", "\\|"), cost(f, code.program.functions).total)

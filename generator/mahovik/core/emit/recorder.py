@@ -37,7 +37,10 @@ _FRAMES = 352
 def recorder_files(stand: Stand, generated: Generated) -> dict[str, str]:
     """Header and source of the recorder by file name, in VERIFICATION. Raises UsageError where there is no step."""
     if not logging(generated.program):
-        raise UsageError(f"with_ recorder: the C of {stand.name} has no step, expected one of {', '.join(RECORDED)}")
+        raise UsageError(
+            f"with_ recorder (or that of the folder): the C of {stand.name} has no step, expected one of "
+            f"{', '.join(RECORDED)}"
+        )
     code = Code(generated.program, identities(stand))
     values = _values(generated, code)
     place = f"{VERIFICATION}{stand.name}_recorder"

@@ -106,7 +106,7 @@ class _Printer:
             constants.append(self._code.table("trim_default", form.design, tables.design))
         return self.render(
             "servo.c.j2",
-            limits=[*self._code.limits(), *self._code.constants],
+            limits=[*self._code.limits, *self._code.constants],
             tables=constants,
             functions=self._code.functions,
         )

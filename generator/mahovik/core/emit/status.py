@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from mahovik.contract.quantities import short
 from mahovik.contract.status import STATUS_VALUES, STATUSES
 from mahovik.core.emit.names import Names
 from mahovik.core.lower.layout import Layout
@@ -20,8 +21,8 @@ def statuses(names: Names, layout: Layout, part: Program | None) -> list[tuple[s
     occurring = {*_ALWAYS, *(status for f in functions if f.public for status in f.statuses)} if part else STATUS_VALUES
     decided = thresholds(layout.precision)
     words = {
-        "unreachable": _power(decided.unreachable),
-        "rank": _power(decided.rank),
+        "unreachable": short(decided.unreachable),
+        "rank": short(decided.rank),
         "lengths": ", ".join(_lengths(layout)),
     }
     result = [s for s in STATUSES if s.name in occurring]
@@ -36,8 +37,3 @@ def _lengths(layout: Layout) -> Iterator[str]:
     yield from (law.invalid for law in layout.law_tables if law.invalid)
     if layout.structure.stream_stations:
         yield "depth outside of the stream's profile"
-
-
-def _power(number: float) -> str:
-    """1e-9, not 1e-09."""
-    return f"{number:.0e}".replace("e-0", "e-")

@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.contract.quantities import SINGULAR_BELOW
 from mahovik.core.derive import SEQUENCES
 from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.formula.derived import formula
@@ -26,7 +25,7 @@ from mahovik.core.lower.freedoms import (
     turns_slides,
 )
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.limits import unit_square
+from mahovik.core.lower.limits import SINGULAR, unit_square
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Status
 from mahovik.core.program.function import Function
@@ -160,7 +159,7 @@ def add_state_from_coordinates(lib: Library) -> None:
         lib["quaternion"](angles, attitude)
         numbers = sines_and_cosines(lib, list(angles))
         singular = let("singular", formula(derived.singular(sequence), **numbers))
-        if abs(singular) < SINGULAR_BELOW:
+        if abs(singular) < SINGULAR:
             return SINGULAR_ATTITUDE
         lib["rotation"](attitude, C)
         v[:] = C.T @ q_dot[0:3]
@@ -217,7 +216,7 @@ def add_generalized(lib: Library) -> None:
         singular = let("singular", formula(derived.singular(sequence), **numbers), "A has no inverse where this is 0")
         lib["forward"](table, y, None, None, phi_ddot, wrench, V_dot, None)
         lib["matrices"](table, y, wrench, m)
-        if abs(singular) < SINGULAR_BELOW:
+        if abs(singular) < SINGULAR:
             return SINGULAR_ATTITUDE
         if layout.stream:
             # J0 of (11) holds M at V itself, not relative to the stream

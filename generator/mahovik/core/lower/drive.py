@@ -223,9 +223,12 @@ def without(torque: Any, coupling: Any, drift: Any) -> Any:
 
 def add_reaction(lib: Library) -> None:
     """Adds R = K V_r_dot - (F - M V_r - I phi_ddot - J phi_dot) of a motion, by all six rows of (8)."""
-    purpose = "wrench of the hold on the carrier, in E1 about O1; may overlap any input"
+    V, meaning = lib.layout.twist, "wrench of the hold on the carrier, in E1 about O1; may overlap any input"
+    purpose = (
+        f"Wrench of the hold on the carrier for a motion: R = K {V}_dot - (F - M {V} - sum(I phi_ddot + J phi_dot))."
+    )
 
-    @lib.kernel(equation="(8)", statuses=STATE_STATUSES, public=True)
+    @lib.kernel(equation="(8)", purpose=purpose, statuses=STATE_STATUSES, public=True)
     def reaction(
         table: Any = lib.table,
         x: Any = lib.x,
@@ -234,9 +237,9 @@ def add_reaction(lib: Library) -> None:
         ),
         phi_ddot: Any = lib.phi_ddot,
         wrench: Any = lib.wrench,
-        reaction: Reals = result(purpose, 6, unit="N, N m"),
+        reaction: Reals = result(meaning, 6, unit="N, N m"),
     ) -> Status:
-        """Wrench of the hold on the carrier for a motion: R = K V_dot - (F - M V - sum(I phi_ddot + J phi_dot))."""
+        """Wrench of the hold on the carrier."""
         check_inputs(lib, table, x, phi_ddot, wrench)
         lib["within"](V_dot, 6, lib.limit("MAX_ACCELERATION"))
         seen = scene(lib, table, x, turns=turns_of(lib, x))

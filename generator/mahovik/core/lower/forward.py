@@ -74,21 +74,21 @@ def scene(lib: Library, table: Any, x: Any, attitude: bool = False, turns: Any =
     `attitude`: C even where (8) needs none. `turns`: sines and cosines that are known already.
     """
     layout = lib.layout
-    C, u, g, own = None, None, None, None
+    C, stream, g, own = None, None, None, None
     by_quaternion = layout.held and layout.weight and not (attitude or layout.stream or "C" in lib.taken("external"))
     if (layout.attitude_needed or attitude) and not by_quaternion:
         C = reals(9)  # attitude
         lib["rotation"](x.attitude, C)
     if layout.stream:
-        u = reals(3)  # stream in E1
+        stream = reals(3)  # in E1
         if layout.structure.stream_stations:
             flow = reals(3)  # stream in E0, at this depth
             lib["stream_at"](table, x, flow)
         else:
             flow = table.stream
-        lib["rotate_back"](C, flow, u)
+        lib["rotate_back"](C, flow, stream)
         V = reals(6)  # V relative to the stream: the fluid's frame is inertial as well
-        V[0:3] = x.V[0:3] - u
+        V[0:3] = x.V[0:3] - stream
         V[3:6] = x.V[3:6]
     else:
         V = x.V
@@ -101,7 +101,7 @@ def scene(lib: Library, table: Any, x: Any, attitude: bool = False, turns: Any =
     if layout.local_turning:
         own = reals(6 * int(layout.count))  # own wrenches of the flywheels, six numbers each
     sum_ = record(layout.sums)
-    return Scene(C, V, u, g, sum_, own, turns or turns_of(lib, x))
+    return Scene(C, V, stream, g, sum_, own, turns or turns_of(lib, x))
 
 
 @inline
@@ -122,18 +122,18 @@ def external_wrench(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, F:
 
 @inline
 def drift_of(x: Any, stream: Any) -> Any:
-    """omega x C^T u: V_r_dot = V_dot + (omega x C^T u, 0)."""
-    drift: Reals = -cross(stream, x.V[3:6])  # omega x C^T u
+    """omega x C^T stream: V_r_dot = V_dot + (omega x C^T stream, 0)."""
+    drift: Reals = -cross(stream, x.V[3:6])  # omega x C^T stream
     return drift
 
 
 @inline
 def relative_rate(x: Any, V_dot: Any, stream: Any) -> Any:
-    """V_r_dot = V_dot + (omega x C^T u, 0); V_dot itself where there is no stream."""
+    """V_r_dot = V_dot + (omega x C^T stream, 0); V_dot itself where there is no stream."""
     if stream is None:
         return V_dot
     drift = drift_of(x, stream)
-    V_r_dot = reals(6)  # V_r_dot = V_dot + (omega x C^T u, 0)
+    V_r_dot = reals(6)  # V_r_dot = V_dot + (omega x C^T stream, 0)
     V_r_dot[0:3] = V_dot[0:3] + drift
     V_r_dot[3:6] = V_dot[3:6]
     return V_r_dot
@@ -158,7 +158,7 @@ def all_turns(lib: Library, x: Any, turns: Any) -> Any:
 
 @inline
 def equations_along(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, phi_ddot: Any, y: Any) -> Any:
-    """P u_dot = y, (8) along the freedoms, without phi_ddot for phi_ddot = 0: P, and omega x C^T u of a stream."""
+    """P u_dot = y, (8) along the freedoms, without phi_ddot for phi_ddot = 0: P, and omega x C^T stream of a stream."""
     if lib.layout.along:
         F = reals(6)  # wrench (7)
         along = record(lib.layout.along_sums)  # sums along the freedoms
@@ -184,16 +184,16 @@ def equations_along(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, ph
 
 @inline
 def from_stream(x: Any, seen: Any, V_dot: Any) -> None:
-    """V_dot = V_r_dot - (omega x C^T u, 0), where there is a stream."""
+    """V_dot = V_r_dot - (omega x C^T stream, 0), where there is a stream."""
     if seen.stream is not None:
-        # V_dot = V_r_dot - (omega x C^T u, 0)
+        # V_dot = V_r_dot - (omega x C^T stream, 0)
         drift = drift_of(x, seen.stream)
         V_dot[0:3] = V_dot[0:3] - drift
 
 
 @inline
 def without_drift(lib: Library, table: Any, x: Any, seen: Any, F: Any) -> Any:
-    """Takes K (omega x C^T u, 0) from F, where there is a stream, so that F belongs to V_dot; returns omega x C^T u."""
+    """Takes K (drift, 0) from F, so that F belongs to V_dot; returns drift = omega x C^T stream, None without one."""
     if seen.stream is None:
         return None
     drift = drift_of(x, seen.stream)
@@ -206,10 +206,12 @@ def add_forward(lib: Library) -> None:
     layout = lib.layout
     statuses = (*STATE_STATUSES, "NOT_POSITIVE_DEFINITE")
     turns: Any = lib.turn_arguments() or (None, None)
+    V = layout.twist
+    equation = f"K {V}_dot = F - M {V} - sum(I phi_ddot + J phi_dot)"
     purpose = (
-        "u_dot of S^T K S u_dot = S^T (F - M V - sum(I phi_ddot + J phi_dot)), inputs checked; valid if OK."
+        f"u_dot of S^T ({equation}), inputs checked; valid if OK."
         if layout.held
-        else "K V_dot = F - M V - sum(I phi_ddot + J phi_dot) of checked inputs; written where the status is OK."
+        else f"{equation} of checked inputs; written where the status is OK."
     )
 
     @lib.kernel(equation="(8)", statuses=statuses, purpose=purpose, short=layout.held)  # few freedoms leave little
@@ -243,10 +245,8 @@ def add_forward(lib: Library) -> None:
             from_stream(x, seen, V_dot)
         return OK
 
-    purpose = (
-        "Acceleration of the carrier for given accelerations of the flywheels: "
-        + ("along the freedoms of the hold, S^T: K V_dot = F" if layout.held else "K V_dot = F")
-        + " - M V - sum(I phi_ddot + J phi_dot)."
+    purpose = "Acceleration of the carrier for given accelerations of the flywheels: " + (
+        f"along the freedoms of the hold, S^T ({equation})." if layout.held else f"{equation}."
     )
     overlaps = "derivative of the components of V; may overlap any input"
 

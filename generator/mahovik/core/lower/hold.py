@@ -94,10 +94,10 @@ def add_hold(lib: Library) -> None:
         def subtract_drift(
             table: Any = lib.table,
             sum_: Any = lib.sums,
-            drift: Reals = argument("omega x C^T u", 3, unit="m/s2"),
+            drift: Reals = argument("omega x C^T stream", 3, unit="m/s2"),
             F: Reals = changed("", 6, unit="N, N m"),
         ) -> None:
-            """F less K (omega x C^T u, 0)."""
+            """F less K (omega x C^T stream, 0)."""
             if layout.added_mass:
                 F -= mass_times(lib, table, sum_, Vector([*drift, 0, 0, 0]))
             else:

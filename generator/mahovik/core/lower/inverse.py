@@ -36,11 +36,12 @@ POSITIVE = ("NEAR_SINGULAR", "DAMPED", "LIMITED", "UNREACHABLE", "RANK_DEFICIENT
 
 SHARING = " What a flywheel at its limit cannot give is shared among the others."
 PURPOSE = (
-    "Flywheel accelerations for a wanted motion of the carrier: I phi_ddot = F - K V_dot - M V - J phi_dot. "
+    "Flywheel accelerations for a wanted motion of the carrier: I phi_ddot = F - K {V}_dot - M {V} - J phi_dot. "
     "Least residual in the norm of K^-1, then least weighted norm of phi_ddot." + SHARING
 )
 PURPOSE_HELD = (
-    "Flywheel accelerations for wanted rates of the freedoms: S^T I phi_ddot = S^T (F - K V_dot - M V - J phi_dot). "
+    "Flywheel accelerations for wanted rates of the freedoms: "
+    "S^T I phi_ddot = S^T (F - K {V}_dot - M {V} - J phi_dot). "
     "Least residual in the norm of (S^T K S)^-1, then least weighted norm of phi_ddot." + SHARING
 )
 PURPOSE_OF_TASK = (
@@ -192,7 +193,9 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
     @lib.kernel(
         f"inverse_{task.name}" if task else "inverse",
         equation="" if task else "(12)",
-        purpose=PURPOSE_OF_TASK.format(task.name) if task else PURPOSE_HELD if held else PURPOSE,
+        purpose=PURPOSE_OF_TASK.format(task.name)
+        if task
+        else (PURPOSE_HELD if held else PURPOSE).format(V=layout.twist),
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", *POSITIVE),
         notes=("Positive statuses are bits and may be combined.", *([FREE_NOTE] if task else []), ANSWER_NOTE),
         public=True,
@@ -312,7 +315,10 @@ def add_inverse_alone(lib: Library) -> None:
 
     @lib.kernel(
         equation="(12)",
+        purpose="The wrench that a wanted motion of the carrier needs and no flywheel gives: "
+        f"F - K {layout.twist}_dot - M {layout.twist}.",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "UNREACHABLE"),
+        notes=("UNREACHABLE unless this wrench is zero.",),
         public=True,
     )
     def inverse(
@@ -322,10 +328,7 @@ def add_inverse_alone(lib: Library) -> None:
         wrench: Any = lib.wrench,
         out: Any = argument("the wrench that is missing", struct=layout.inverse_result, direction="out"),
     ) -> Status:
-        """The wrench that a wanted motion of the carrier needs and no flywheel gives: F - K V_dot - M V.
-
-        UNREACHABLE unless this wrench is zero.
-        """
+        """The wrench that is missing."""
         check_inputs(lib, table, x, None, wrench)
         lib["within"](V_dot, 6, lib.limit("MAX_ACCELERATION"))
         work = record(layout.inverse_work)

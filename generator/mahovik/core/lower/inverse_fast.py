@@ -125,7 +125,7 @@ def add_inverse_fast(lib: Library, task: Rows | None = None) -> None:
         notes=(
             f"Squares the condition number: as accurate as {accurate} if singular values differ by a factor of at most "
             "some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.",
-            "Damping is relative to the norm of W.",
+            f"`damping` is in units of the root of the sum of squares of sigma, which {accurate} gives.",
             SPIN_UP_NOTE,
             *([FREE_NOTE] if task else []),
             ANSWER_NOTE,

@@ -6,8 +6,8 @@ T = I . V_r_dot + bias + Theta_ff phi_ddot - own moment, after these were elimin
 phi_s and its rate. R and T are functions of the program, and their derivatives are made of them by program/tangent;
 this file solves.
 
-With a stream V_r_dot = V_dot + (omega x C^T u, 0). Along freedoms V_r_dot = S u_dot + (omega x C^T u, 0), V changes
-by S du, and S^T K S d(u_dot) = S^T (dR - K d(omega x C^T u, 0)).
+With a stream V_r_dot = V_dot + (omega x C^T stream, 0), and V_dot = S u_dot along freedoms, where V changes by S du:
+S^T K S d(u_dot) = S^T (dR - K d(omega x C^T stream, 0)).
 """
 
 from __future__ import annotations
@@ -161,7 +161,7 @@ class System:
     K       mass matrix, along the freedoms of a hold;  factors  of it, or its inverse
     drives  columns of I, where the flywheels are eliminated;  shares  their part along the freedoms
     d_own   changes of own wrenches of the flywheels
-    drift   omega x C^T u of a held carrier in a stream, for which K drift is taken from R
+    drift   omega x C^T stream of a held carrier in a stream, for which K drift is taken from R
     """
 
     named: dict[str, Any]
@@ -281,17 +281,17 @@ def change_of_twist(lib: Library, table: Any, j: int) -> Any:
 
 @inline
 def turn_stream(lib: Library, table: Any, at: System, d_V: Any) -> Any:
-    """The change of omega x C^T u with V, for which K times it is taken from R; None where R has no such part."""
+    """The change of omega x C^T stream with V, for which K times it is taken from R; None where R has no such part."""
     if at.drift is None:
         return None
-    d_drift: Reals = -cross(at.seen.stream, d_V[3:6])  # change of omega x C^T u
+    d_drift: Reals = -cross(at.seen.stream, d_V[3:6])  # change of omega x C^T stream
     lib["subtract_drift"](table, at.seen.sums, d_drift, at.R)
     return d_drift
 
 
 @inline
 def change_by_speed(lib: Library, table: Any, at: System, slopes: Any, j: int) -> Any:
-    """Set R and `side` to the change with component j of the speeds; changes of V and of omega x C^T u.
+    """Set R and `side` to the change with component j of the speeds; changes of V and of omega x C^T stream.
 
     `slopes`: of R without the wrench (7) by V.
     """
@@ -370,10 +370,10 @@ def write(lib: Library, at: System, out: Any, by: str, column: int) -> None:
 
 @inline
 def write_stream(lib: Library, at: System, out: Any) -> None:
-    """Take d(omega x C^T u)/d omega from the derivatives by V: V_dot = V_r_dot - (omega x C^T u, 0)."""
+    """Take d(omega x C^T stream)/d omega from the derivatives by V: V_dot = V_r_dot - (omega x C^T stream, 0)."""
     u = at.seen.stream
     if u is not None and not lib.layout.held:
-        # V_dot = V_r_dot - (omega x C^T u, 0)
+        # V_dot = V_r_dot - (omega x C^T stream, 0)
         for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
             out.V_dot_V[i][3 + j] -= u[k]
             out.V_dot_V[i][3 + k] += u[j]

@@ -111,7 +111,7 @@ class RunTimeInput:
     """A number of every struct of one array of the table that the caller may set at run time.
 
     array, member  its place, `table.fin[k].deflection`
-    limit          largest magnitude: a number, or the name of a bound of the C, such as MAX_SPEED
+    limit          name of the bound of its magnitude, such as MAX_SPEED
     count          length of the array
     names          names in the stand file, in the order of the array
     prefix         enumerators of the indices are this and the name in capitals
@@ -120,7 +120,7 @@ class RunTimeInput:
 
     array: str
     member: str
-    limit: float | str
+    limit: str
     count: NamedCount
     names: tuple[str, ...]
     prefix: str

@@ -98,6 +98,11 @@ class Layout:
     def stream(self) -> bool:
         return self.structure.stream
 
+    @property
+    def twist(self) -> str:
+        """The twist in (8): V_r is V relative to the stream."""
+        return "V_r" if self.stream else "V"
+
     @cached_property
     def law_tables(self) -> tuple[CarrierProgram, ...]:
         """The laws of `laws/` that the stand has."""
@@ -659,7 +664,8 @@ class Layout:
 
     @cached_property
     def inverse_result(self) -> Struct:
-        left, matrix, norm = "F - K V_dot - M V - J phi_dot - I phi_ddot", "K^-1/2 I Theta_ff^-1/2", "K^-1"
+        V, matrix, norm = self.twist, "K^-1/2 I Theta_ff^-1/2", "K^-1"
+        left = f"F - K {V}_dot - M {V} - J phi_dot - I phi_ddot"
         if self.held:
             left, matrix, norm = f"S^T ({left})", "(S^T K S)^-1/2 S^T I Theta_ff^-1/2", "(S^T K S)^-1"
         hardest = f"the unreachable wrench, or the one hardest to reach; a unit vector in the norm of {norm}"
@@ -741,16 +747,15 @@ class Layout:
 
     @cached_property
     def matrices(self) -> Struct:
-        relative = ", at V relative to the stream" if self.stream else ""
         fields = [
             Field("K", REAL, (6, 6), "kg, kg m, kg m2", "mass matrix (2)"),
             Field("K_dot", REAL, (6, 6), "per s", "its rate (6)"),
-            Field("M", REAL, (6, 6), "per s", f"velocity matrix (9){relative}"),
+            Field("M", REAL, (6, 6), "per s", f"velocity matrix (9) at {self.twist}"),
         ]
         if self.flywheels:
             fields += [
                 Field("I", REAL, (6, self.count), "kg m, kg m2", "flywheel coupling (9), one column per flywheel"),
-                Field("J", REAL, (6, self.count), "per s", "its velocity part (9)"),
+                Field("J", REAL, (6, self.count), "per s", f"its velocity part (9) at {self.twist}"),
             ]
         fields.append(Field("F", REAL, (6,), "N, N m", "total external wrench (7)"))
         return Struct("matrices_result", "The matrices of (8).", tuple(fields))
@@ -772,11 +777,11 @@ class Layout:
             return coordinates_struct(self.ways)
         fields = (
             Field("A", REAL, (6, 6), "", "V = A q_dot (10)"),
-            Field("D", REAL, (6, 6), "1/s", "A' along the motion (10)"),
+            Field("D", REAL, (6, 6), "1/s", "A_dot (10)"),
             Field("I0", REAL, (6, 6), "", "K A (11)"),
-            Field("J0", REAL, (6, 6), "", "K D + M A (11)"),
+            Field("J0", REAL, (6, 6), "", "K D + M A (11), M at V"),
             Field("q_dot", REAL, (6,), "m/s, rad/s", "O1 in E0, then psi, theta, phi"),
-            Field("q_ddot", REAL, (6,), "m/s2, rad/s2", "solution of (11) for the given phi_ddot"),
+            Field("q_ddot", REAL, (6,), "m/s2, rad/s2", "A^-1 (V_dot - D q_dot), V_dot by (8) for the given phi_ddot"),
         )
         return Struct(
             "generalized_result", "The equations in generalized coordinates q = (O1 in E0; psi, theta, phi).", fields

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mahovik.contract.quantities import BOUNDS
+from mahovik.contract.quantities import BOUNDS, SINGULAR_BELOW
 from mahovik.core.program.expression import Const, Expr, and_
 from mahovik.core.program.types import Kind, NamedNumber, Precision
+from mahovik.core.routines.real_constants import rounder, turns_a_radian
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,8 @@ UNIT_SQUARE_MIN = NamedNumber(0.998001, "MIN_NORM2", "square of the length of a 
 UNIT_SQUARE_MAX = NamedNumber(1.002001, "MAX_NORM2", "the same: within 1e-3 of unit length")
 """Square of a length within UNIT_LENGTH of 1."""
 
+SINGULAR = NamedNumber(SINGULAR_BELOW, "EPS_ATTITUDE", "|cos theta| (Euler: |sin theta|): below, SINGULAR_ATTITUDE")
+
 
 def unit_square(square: Expr) -> Expr:
     """Is a length, given as its square, within 1e-3 of 1?"""
@@ -46,7 +49,8 @@ def unit_square(square: Expr) -> Expr:
 
 def constants(precision: Precision) -> tuple[NamedNumber, ...]:
     """Other constants that have a name in C: what decides, where numbers count as zero."""
-    return (precision.smallest, UNIT_SQUARE_MIN, UNIT_SQUARE_MAX, *vars(thresholds(precision)).values())
+    named = (*vars(thresholds(precision)).values(), rounder(precision), turns_a_radian(precision))
+    return (precision.smallest, UNIT_SQUARE_MIN, UNIT_SQUARE_MAX, SINGULAR, *named)
 
 
 class Thresholds:

@@ -49,14 +49,17 @@ def add_matrices(lib: Library) -> None:
             for i in list(range(6)):
                 out.M[i][j] = Phi_times(V, out.K[:, j])[i] + out.K_dot[i][j]
 
-    @lib.kernel(equation="(2), (6)-(9)", statuses=STATE_STATUSES, public=True)
+    V, members = layout.twist, "K, K_dot, M, I_, J, F" if layout.flywheels else "K, K_dot, M, F"
+    purpose = f"The matrices of K {V}_dot + M {V} + I phi_ddot + J phi_dot = F at a state."
+
+    @lib.kernel(equation="(2), (6)-(9)", purpose=purpose, statuses=STATE_STATUSES, public=True)
     def matrices(
         table: Any = lib.table,
         x: Any = lib.x,
         wrench: Any = lib.wrench,
-        out: Any = result("K, K_dot, M, I, J, F", struct=layout.matrices),
+        out: Any = result(members, struct=layout.matrices),
     ) -> Status:
-        """The matrices of K V_dot + M V + I phi_ddot + J phi_dot = F at a state."""
+        """The matrices of (8)."""
         check_inputs(lib, table, x, None, wrench)
         seen = scene(lib, table, x)
         sum_up(lib, table, x, seen, None, mass_alone=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from mahovik.contract.quantities import short
 from mahovik.core.derive import SYMMETRIC
 from mahovik.core.formula.derived import carrying as derived
 from mahovik.core.formula.derived import formula
@@ -198,7 +199,7 @@ def add_prepare(lib: Library) -> None:
         "NOT_POSITIVE_DEFINITE: no such body exists. Moments of inertia about the centre of mass are "
         "negative or break the triangle inequality"
         + (", added mass that is not symmetric and positive semidefinite" if layout.added_mass else "")
-        + f" (to {lib.thresholds.unphysical:g} of the largest element)"
+        + f" (to {short(lib.thresholds.unphysical)} of the largest element)"
         + ("; a flywheel without spin inertia" if layout.flywheels else "")
         + "; no mass at all.",
     )

@@ -48,7 +48,7 @@ from mahovik.core.program.kernel import (
 )
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.program.validate import validate
-from mahovik.core.routines.real_constants import PI, nearest, polynomial
+from mahovik.core.routines.real_constants import PI, nearest, polynomial, rounder
 
 SECTORS = 64
 """Parts of a period in which a Fourier table removes the whole turns of a winding."""
@@ -252,11 +252,10 @@ def check_phase(lib: Library, phase: float, cyclic: bool) -> Any:
 @inline
 def spot(lib: Library, phase: float, parts: int, cyclic: bool) -> Any:
     """Part j and place u in it, 0 to 1, of a checked phase; the end of a finite table is that of its last part."""
-    magic = 1.5 * 2.0 ** (lib.layout.precision.significand - 1)
     # x = j + u: the large constant leaves x to nearest in the last bits of the sum.
     x = phase * parts
-    shifted = x + magic
-    close = shifted - magic
+    shifted = x + rounder(lib.layout.precision)
+    close = shifted - rounder(lib.layout.precision)
     behind = x < close if cyclic else x < close or not (phase < 1)  # the part ends there
     j = int_of((bits_of(shifted) - (word(1) if behind else word(0))) & word(parts - 1))
     u = (x - close) + 1 if behind else x - close

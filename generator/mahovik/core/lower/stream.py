@@ -19,6 +19,7 @@ from mahovik.core.stand.model import StreamProfile, Structure
 
 REAL = Kind.REAL
 NAME = "stream_profile"
+"""Its member of the table."""
 
 
 def table_fields(structure: Structure) -> list[Field]:
@@ -82,18 +83,18 @@ def add_functions(lib: FunctionSet) -> None:
 
     @lib.kernel()
     def stream_at(
-        table: Any = lib.table, x: Any = lib.x, u: Reals = result("velocity of the fluid, in E0", 3, unit="m/s")
+        table: Any = lib.table, x: Any = lib.x, flow: Reals = result("velocity of the fluid, in E0", 3, unit="m/s")
     ) -> None:
         """Velocity of the fluid at the depth of O1."""
         profile = table.stream_profile
         depth = dot(profile.down, x.position)
-        u[:] = table.stream + profile.top
+        flow[:] = table.stream + profile.top
         for k in range(last):
             thick = profile.depth[k + 1] - profile.depth[k]
             above: float = depth - profile.depth[k]  # part of the layer that is above O1
             above = above if above > 0 else 0.0
             above = above if above < thick else thick
-            u += profile.shear[k] * above
+            flow += profile.shear[k] * above
 
     @lib.kernel()
     def check_depth(table: Any = lib.table, x: Any = lib.x) -> Status:

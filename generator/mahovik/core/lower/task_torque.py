@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from mahovik.contract.quantities import short
 from mahovik.core import routines
 from mahovik.core.derive import SYMMETRIC
 from mahovik.core.lower.checks import check_number
@@ -188,7 +189,7 @@ def add_torque_for(lib: Library, task: Rows) -> None:
         notes=(
             "With keep_direction a demand out of reach is made smaller, not turned: share is the part that is met.",
             "A flywheel whose lock or failure is known goes into `locked`: the others do its part.",
-            f"Directions in which torques move the carrier {lib.thresholds.bounded**0.5:.0e} times less than in the "
+            f"Directions in which torques move the carrier {short(lib.thresholds.bounded**0.5)} times less than in the "
             "strongest are given up in part.",
             "Positive statuses are bits and may be combined.",
             FREE_NOTE,

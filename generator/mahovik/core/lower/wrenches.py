@@ -11,7 +11,7 @@ from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.layout import run_time_inputs
 from mahovik.core.lower.library import Library
-from mahovik.core.program.expression import Expr, Status, real
+from mahovik.core.program.expression import Expr, Status
 from mahovik.core.program.kernel import OK, Reals, argument, body, changed, inline, reals, result
 from mahovik.core.program.vector import Vector, cross
 
@@ -183,14 +183,10 @@ def add_check_actuators(lib: Library) -> None:
     if not inputs:
         return
 
-    limits = [
-        lib.limit(actuator.limit) if isinstance(actuator.limit, str) else real(actuator.limit) for actuator in inputs
-    ]
-
     @lib.kernel(purpose=f"Are {', '.join(actuator.words for actuator in inputs)} finite and in their ranges?")
     def check_actuators(table: Any = lib.table) -> Status:
         """Are inputs of laws in their ranges?"""
-        for actuator, limit in zip(inputs, limits, strict=True):
+        for actuator in inputs:
             for k in range(actuator.count):
-                check_number(lib, table.member(actuator.array)[k].member(actuator.member), limit)
+                check_number(lib, table.member(actuator.array)[k].member(actuator.member), lib.limit(actuator.limit))
         return OK

@@ -50,7 +50,7 @@ def bounded_least_squares(rows: int, count: NamedCount, regular: float) -> Funct
         largest = largest_diagonal(W, weight, rows)
         lambda_ = regular * largest if largest > 0 else 1.0
         going: int = 1
-        for pass_ in range(passes(int(count))):
+        for pass_ in range(passes(int(count))):  # at most: each unknown is held and released again
             if going > 0:
                 make_gram(W, weight, held, gram, free, many, lambda_)
                 unknowns = many if many < rows else rows

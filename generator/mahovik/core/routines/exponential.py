@@ -27,7 +27,7 @@ from dataclasses import dataclass
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import argument, bits_of, kernel, real_of_bits
 from mahovik.core.program.types import Precision
-from mahovik.core.routines.real_constants import LN_2, nearest, polynomial, split
+from mahovik.core.routines.real_constants import LN_2, nearest, polynomial, rounder, split
 
 LOWEST = {"double": -708.0, "float": -87.0}
 """Least arguments whose exponential is not 0 by definition."""
@@ -84,7 +84,7 @@ def exponential(precision: Precision) -> Function:
     """The function `exp(x)`."""
     fits = POLYNOMIALS[precision.name]
     part_1, part_2 = ln_2_parts(precision)
-    to_integer = 1.5 * 2.0 ** (precision.significand - 1)
+    to_integer = rounder(precision)
     per_ln_2 = nearest(1 / LN_2, precision)
     lowest = LOWEST[precision.name]
 

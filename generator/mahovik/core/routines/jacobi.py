@@ -43,7 +43,7 @@ def orthogonalise(struct: Struct, count: NamedCount, sqrt: Function, precision_n
             for j in range(rows):
                 U[i][j] = 0
             U[i][i] = 1
-        for sweep in range(sweeps):  # they converge quadratically
+        for sweep in range(sweeps):  # enough: they converge quadratically
             for p in range(rows - 1):
                 for q in range(p + 1, rows):
                     a: float = 0

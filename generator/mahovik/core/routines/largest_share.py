@@ -56,7 +56,7 @@ def largest_share(rows: int, count: NamedCount, pivot: float, tolerance: float) 
             basis[i] = -1
         raising: int = 0  # 0: artificial variables fall; 1: f rises
         going: int = 1
-        for pass_ in range(PASSES * (n + 1 + rows)):
+        for pass_ in range(PASSES * (n + 1 + rows)):  # at most, far more than needed
             if going > 0:
                 enter = entering(tableau, upper, at_upper, inside, basis, raising, pass_ >= bland, pivot)
                 if enter < 0:

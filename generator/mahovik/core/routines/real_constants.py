@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from mahovik.core.program.types import Precision
+from mahovik.core.program.types import NamedNumber, Precision
 
 PI = Fraction(0x3243F6A8885A308D313198A2E03707344A4093822299F31D0082EFA98EC4E6C89, 1 << 256)
 LN_2 = Fraction(0xB17217F7D1CF79ABC9E3B39803F2F6AF40F343267298B62D8A0D175B8BAAFA2BE, 1 << 260)
@@ -35,6 +35,16 @@ def nearest(value: Fraction, precision: Precision) -> float:
         exponent -= 1
     unit = Fraction(2) ** (exponent - precision.significand + 1)
     return float(round(value / unit) * unit)
+
+
+def rounder(precision: Precision) -> NamedNumber:
+    """What leaves no room for a fraction where it is added."""
+    return NamedNumber(1.5 * 2.0 ** (precision.significand - 1), "ROUNDER", "added and taken off: to a whole number")
+
+
+def turns_a_radian(precision: Precision) -> NamedNumber:
+    """1 / (2 pi)."""
+    return NamedNumber(nearest(1 / (2 * PI), precision), "TURNS_A_RADIAN", "1 / (2 pi)")
 
 
 def sign_bit(precision: Precision) -> int:

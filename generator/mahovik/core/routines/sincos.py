@@ -25,10 +25,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
+from mahovik.contract.quantities import short
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import Reals, Result, argument, bits_of, inline, kernel, real_of_bits, word
 from mahovik.core.program.types import NamedCount, Precision
-from mahovik.core.routines.real_constants import PI, nearest, polynomial, sign_bit, split
+from mahovik.core.routines.real_constants import PI, nearest, polynomial, rounder, sign_bit, split
 
 
 @dataclass(frozen=True)
@@ -124,7 +125,7 @@ def sincos_each(precision: Precision, count: NamedCount) -> Function:
 def _notes(precision: Precision) -> tuple[str, ...]:
     absolute = "1e-16" if precision.name == "double" else "6e-8"
     return (
-        f"|x| <= {precision.max_phase:.0e}, which the caller checks. Error at most 1 unit in the last place",
+        f"|x| <= {short(precision.max_phase)}, which the caller checks. Error at most 1 unit in the last place",
         f"for |x| <= 8 pi, and {absolute} absolute beyond. Other x give meaningless results, but the call is safe.",
     )
 
@@ -135,7 +136,7 @@ def _sincos(precision: Precision) -> inline:
     sine_fit = [-c for c in fits.sine]  # S with positive sign, so that sin(-0) = -0
     part_1, part_2, part_3 = half_pi_parts(precision)
     per_quarter = nearest(Fraction(2) / PI, precision)
-    to_integer = 1.5 * 2.0 ** (precision.significand - 1)
+    to_integer = rounder(precision)
     sign = sign_bit(precision)
     top = precision.width - 2  # moves bit 1 of the quadrant to the sign
 

@@ -14,18 +14,18 @@ from __future__ import annotations
 
 from typing import Any
 
+from mahovik.contract.quantities import short
 from mahovik.core.program.expression import real
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import argument, kernel
 from mahovik.core.program.types import Precision
-from mahovik.core.routines.real_constants import PI, nearest
+from mahovik.core.routines.real_constants import rounder, turns_a_radian
 from mahovik.core.routines.sincos import half_pi_parts
 
 
 def turns_of_angle(precision: Precision, phi: Any) -> Any:
     """phi / (2 pi) to nearest."""
-    magic = 1.5 * 2.0 ** (precision.significand - 1)
-    return phi * real(nearest(1 / (2 * PI), precision)) + real(magic) - real(magic)
+    return phi * real(turns_a_radian(precision)) + real(rounder(precision)) - real(rounder(precision))
 
 
 def turn_parts(precision: Precision) -> tuple[float, float, float]:
@@ -49,7 +49,9 @@ def unwind(precision: Precision) -> Function:
 def wrap(precision: Precision, unwound: Function) -> Function:
     """`wrapped`: an angle as the equal one in [-pi, pi], to rounding."""
 
-    @kernel(notes=[f"|phi| <= {precision.max_phase:g}: beyond this the result is meaningless, but the call is safe."])
+    @kernel(
+        notes=[f"|phi| <= {short(precision.max_phase)}: beyond this the result is meaningless, but the call is safe."]
+    )
     def wrapped(phi: float = argument(unit="rad")) -> float:
         """The angle wrapped to within half a turn of zero."""
         # k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits.

@@ -7,10 +7,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import MISSING, asdict, dataclass
 from functools import cache
-from typing import Any, ClassVar, Self, TypeVar
+from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 from mahovik.core.stand.declare import Declared, Draw, Note, Size
-from mahovik.core.stand.fields import Text, Vec3, require_bounds, text
+from mahovik.core.stand.fields import Text, Vec3, require_bounds, text, validator
 from mahovik.core.stand.hold import coordinate_problem, find_freedom, freedom_labels, freedom_names
 from mahovik.core.stand.model import TWIST_LETTERS, Body, FreedomKind, Hold, Law, Stand
 from mahovik.core.stand.tables import Default, Table, TableError, make_table
@@ -395,7 +395,7 @@ class TermTable(Table):
     value  in SI, or with the unit that follows from the component and the factors
     """
 
-    value: Any
+    value: Annotated[Any, validator(lambda raw: raw, shape="number")]
 
     def check(self: Any) -> None:
         """Reads the value. Raises TableError."""

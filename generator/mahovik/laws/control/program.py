@@ -19,7 +19,7 @@ ORDER = ("first", "second", "third", "fourth")
 ARRAYS = {"deflection": ("fin", "deflection"), "speed": ("propeller", "speed"), "race": ("propeller", "speed")}
 """Array of the table, and its member, from which a factor comes."""
 
-RACE = Field("race", REAL, (), "m^2/rad^2", "race of a propeller: sign(n) (sqrt(u u + race n n) - |u|)")
+RACE = Field("race", REAL, (), "m2/rad2", "race of a propeller: sign(n) (sqrt(u u + race n n) - |u|)")
 
 Fact = tuple[str, int, bool]
 """A factor: "velocity" and its component, or an input and its place in the array; whether the magnitude counts."""

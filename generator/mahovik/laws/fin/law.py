@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Literal, Self
 
+from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand import units
 from mahovik.core.stand.columns import hypot
 from mahovik.core.stand.declare import TIMES, Declared, Draw
@@ -22,7 +23,7 @@ SPEEDS: tuple[Speed, ...] = ("along", "across", "whole")
 
 SPEED = one_word({speed: speed for speed in SPEEDS}, '"along", "across" or "whole"')
 
-MOST_DEFLECTION = 1.5
+MOST_DEFLECTION = BOUNDS["MAX_DEFLECTION"].value
 """Largest deflection, rad, in the file and at run time."""
 
 USUAL = 0.3

@@ -14,7 +14,7 @@ from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import unit
 from mahovik.core.stand.model import Body, Structure, Vec3
-from mahovik.laws.fin.law import MOST_DEFLECTION, SPEEDS, Fin, Fins
+from mahovik.laws.fin.law import SPEEDS, Fin, Fins
 
 INT, REAL = Kind.INT, Kind.REAL
 RIGHT_ANGLE = math.pi / 2
@@ -41,7 +41,7 @@ def _kinds(structure: Structure) -> list[tuple[str, bool, bool]]:
 def fin_struct(stalls: bool, incidence: bool) -> Struct:
     """One fin; `stall` and `incidence` only where any fin has them."""
     fields = [
-        Field("deflection", REAL, (), "rad", f"may be set at run time; at most {MOST_DEFLECTION:g}"),
+        Field("deflection", REAL, (), "rad", "may be set at run time, up to MAX_DEFLECTION"),
         Field("position", REAL, (3,), "m", "in the body's frame, as the axes"),
         Field("chord", REAL, (3,), "", "axes of length one: forward"),
         Field("span", REAL, (3,), "", "to the side"),
@@ -80,7 +80,7 @@ class LiftingFins(BodyProgram):
         names = tuple(name for name, _, _ in _kinds(structure))
         count = NamedCount("FINS", len(names), "fins: those of the table, whose deflections are inputs")
         words = "deflections of fins"
-        return RunTimeInput("fin", "deflection", MOST_DEFLECTION, count, names, "FIN_", words) if names else None
+        return RunTimeInput("fin", "deflection", "MAX_DEFLECTION", count, names, "FIN_", words) if names else None
 
     def struct(self, structure: Structure) -> Struct:
         """One fin."""

@@ -96,11 +96,17 @@ class ScrewPropellers(BodyProgram):
             Field("speed", REAL, (), "rad/s", "n; may be set at run time, up to MAX_SPEED"),
             Field("position", REAL, (3,), "m", "in the body's frame, as the axis"),
             Field("axis", REAL, (3,), "", "direction of the thrust, of length one"),
-            Field("thrust", REAL, (3,), "SI", "t0, t1, t2: thrust += t0 |n| n + t1 |n| u + t2 |u| u, u the velocity"),
+            Field(
+                "thrust",
+                REAL,
+                (3,),
+                "SI",
+                "t0, t1, t2: thrust += t0 |n| n + t1 |n| a + t2 |a| a, a the speed of advance",
+            ),
             Field("torque", REAL, (3,), "SI", "likewise, on the body about the axis"),
         ]
         if _whole(structure):
-            fields.append(Field("whole", INT, (), "", "1: u is the length of the velocity; 0: its part along the axis"))
+            fields.append(Field("whole", INT, (), "", "1: a is the length of the velocity; 0: its part along the axis"))
         return Struct("propeller", "A propeller of which the speed is given.", tuple(fields))
 
     def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:

@@ -205,5 +205,5 @@ def lost_increments_line(lost: Sequence[LostIncrement]) -> str:
     more = f" (and {len(lost) - 1} more)" if len(lost) > 1 else ""
     return (
         f"float: steps of {worst.dt:g} s lose up to {100 * worst.part:.3g} % of what they add to the speed of "
-        f"{worst.flywheel}{more}: give step a carry, or take double; `check` with dt=TIME judges another step"
+        f"{worst.flywheel}{more}: give step a carry, or take double; `mahovik check` judges another dt"
     )
