@@ -186,7 +186,7 @@ def _diagram(campbell: Campbell, absent: int, words: str) -> Panel:
     columns = range(absent, campbell.natural.shape[1])
     lines = [Line(f"mode {k - absent + 1}", speed, campbell.natural[:, k], k - absent) for k in columns]
     for n in campbell.orders:
-        x = np.clip(ends, -60.0 * top / n, 60.0 * top / n)
+        x = np.clip([ends[0], np.clip(0.0, *ends), ends[1]], -60.0 * top / n, 60.0 * top / n)  # a corner at rest
         seen = np.ptp(x) > 0.15 * np.ptp(ends)
         lines.append(Line("", x, np.abs(n * x / 60.0), None, dashed=True, tag=f"{n}×" * bool(seen)))
     return Panel(
