@@ -14,15 +14,17 @@ import types
 import typing
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fnmatch import fnmatch
-from functools import cache
+from functools import cache, wraps
 from numbers import Integral, Real
-from typing import Any
+from typing import Any, TypeVar, cast
 
 from mahovik.errors import UsageError
 
 Rules = Mapping[str, Sequence[str]]
 Kinds = Mapping[str, tuple[str, list[Any]]]
 """By argument: the name of the value that it expects ("" without one) and the types that are taken beside None."""
+
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 HIDDEN = "hidden"
 """Word of an argument that the command line does not have."""
@@ -47,21 +49,36 @@ def check_arguments(
     parameters, kinds = inspect.signature(function).parameters, kinds_of(function)
     arguments = {key: x for key, x in (*zip(parameters, args, strict=False), *keywords.items()) if key in parameters}
     for name, value in arguments.items():
-        if value is not parameters[name].default:
+        if name in kinds and value is not parameters[name].default:
             _check(name, value, *kinds[name])
     meant = {name: x for name, x in arguments.items() if _says_more(x, parameters[name].default)}
     values = {name: one.default for name, one in parameters.items()} | meant
     _check_together(kinds, meant, values, needs, excludes)
 
 
+def checked(function: Function) -> Function:
+    """A function of which the arguments are checked before it runs."""
+
+    @wraps(function)
+    def checking(*args: Any, **values: Any) -> Any:
+        check_arguments(function, args, values, {}, {})
+        return function(*args, **values)
+
+    return cast("Function", checking)
+
+
 # ---- what the annotations of a function say
 
 
-class _Names(dict[str, Any]):
-    """Names in annotations; what is imported for type checkers alone is any object."""
+class _Unloaded:
+    """Base of classes that stand for those that are imported for type checkers alone: their objects have the name."""
 
-    def __missing__(self, _name: str) -> Any:
-        return object
+
+class _Names(dict[str, Any]):
+    """Names in annotations."""
+
+    def __missing__(self, name: str) -> Any:
+        return type(name, (_Unloaded,), {})
 
 
 @cache
@@ -95,6 +112,8 @@ def _check(name: str, value: Any, word: str, kinds: Sequence[Any]) -> None:
         raise UsageError(f"{name} {value}: expected a folder")
     if any(_is(kind, value) for kind in kinds):
         return
+    for where, part, inner in (entry for kind in kinds for entry in _inside(kind, value) or ()):
+        _check(f"{name}{where}", part, word, inner)
     choices = [word for kind in kinds if typing.get_origin(kind) is typing.Literal for word in typing.get_args(kind)]
     if choices:
         raise UsageError(f'{name}: unknown "{value}", expected one of {", ".join(map(str, choices))}')
@@ -112,24 +131,30 @@ def _words(kind: Any, word: str) -> str:
 
 def _is(kind: Any, value: Any) -> bool:
     """Whether a value is of a kind: texts are no lists, True is no number; what the package made is as it is."""
-    origin, parts = typing.get_origin(kind) or kind, typing.get_args(kind)
+    origin = typing.get_origin(kind) or kind
     made = type(value).__module__.startswith("mahovik.") and not isinstance(value, Mapping)
     if made or origin in (Any, object):
         return True
     if origin is typing.Literal:
-        return isinstance(value, str | int) and value in parts
+        return isinstance(value, str | int) and value in typing.get_args(kind)
     if origin in (int, float):
         return isinstance(value, Integral if origin is int else Real) and not isinstance(value, bool)
-    if origin is Mapping:
-        return isinstance(value, Mapping) and all(_any(parts[1:], part) for part in value.values())
-    if origin in (Sequence, tuple):
-        listed = hasattr(value, "__len__") and hasattr(value, "__getitem__") and not isinstance(value, str | Mapping)
-        return listed and all(_any([part for part in parts if part is not ...][:1], one) for one in value)
+    if origin in (Mapping, Sequence, tuple):
+        inside = _inside(kind, value)
+        return inside is not None and all(any(_is(one, part) for one in kinds) for _, part, kinds in inside)
+    if issubclass(origin, _Unloaded):
+        return origin.__name__ in (base.__name__ for base in type(value).__mro__)
     return isinstance(value, origin)
 
 
-def _any(hints: Sequence[Any], value: Any) -> bool:
-    return not hints or any(_is(kind, value) for hint in hints for kind in alternatives(hint)[1])
+def _inside(kind: Any, value: Any) -> list[tuple[str, Any, list[Any]]] | None:
+    """What is in a mapping or a list of a kind: its place, the value, its kinds; None of what is not such a one."""
+    origin, parts = typing.get_origin(kind) or kind, [part for part in typing.get_args(kind) if part is not ...]
+    kinds = [one for part in parts[-1:] for one in alternatives(part)[1]] or [object]
+    if isinstance(value, Mapping):
+        return [(f" {key}", part, kinds) for key, part in value.items()] if origin is Mapping else None
+    listed = hasattr(value, "__len__") and hasattr(value, "__getitem__") and not isinstance(value, str)
+    return [(f"[{k}]", part, kinds) for k, part in enumerate(value)] if listed and origin in (Sequence, tuple) else None
 
 
 def _says_more(value: Any, default: Any) -> bool:

@@ -34,6 +34,14 @@ def test_speeds_are_a_mapping_texts_or_one_for_all() -> None:
     assert amplitudes[0] == amplitudes[1] == pytest.approx(amplitudes[2])
     one, many = (mahovik.vibration(shaker(), speed=x, at="carrier")["worst"].tolist() for x in (60.0, {"all": 60.0}))
     assert one == many
+    swept: tuple[Any, ...] = ({"left": "0..60 rad/s"}, {"left": (0, 60.0)}, {"left": np.array([0.0, 60.0])})
+    largest = [mahovik.vibration(shaker(), speed=x, at="carrier", steps=3)["largest"] for x in swept]
+    assert largest[0] == largest[1] == largest[2]
+    phases: tuple[Any, ...] = ("left=90 deg", {"left": "90 deg"}, [math.pi / 2, 0.0])
+    peaks = [mahovik.vibration(shaker(), speed=60.0, at="carrier", phase=x)["peak"].tolist() for x in phases]
+    assert peaks[0] == peaks[1] == peaks[2]
+    together, apart = (mahovik.check(shaker(), phase=x)["rest"] for x in (1.0, [1.0, 1.0]))
+    assert str(together) == str(apart)
 
 
 def test_warnings_are_those_of_python() -> None:
@@ -60,9 +68,21 @@ REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
     ("vibration", "sat4", {"speed": True}, "speed True: expected a number or a text"),
     ("vibration", "sat4", {"speed": {}}, "speed: is empty"),
     ("vibration", "sat4", {"speed": [100.0, 200.0]}, "speed: 2 speeds, but the stand has 4 flywheels"),
-    ("vibration", "sat4", {"phase": 1.0}, "phase 1.0: expected a mapping NAME=ANGLE or a list"),
+    ("vibration", "sat4", {"speed": {"rw1": {}}}, "speed rw1 of type dict: expected a number or a text or a list"),
+    (
+        "vibration",
+        "sat4",
+        {"speed": {"rw1": np.ones(4)}},
+        "speed rw1: 4 numbers, expected one speed, or two",
+    ),
+    ("vibration", "sat4", {"phase": [1.0, 2.0]}, "phase: 2 phases, but the stand has 4 flywheels; expected NAME"),
     ("vibration", "sat4", {"require": 5}, "require 5: expected a text or a list"),
-    ("vibration", "sat4", {"require": [5]}, "require of type list: expected a text or a list"),
+    ("vibration", "sat4", {"require": [5]}, "require[0] 5: expected a text"),
+    ("simulate", "sat4", {"start": {"phi_dot": {"rw9": 1.0}}}, 'phi_dot: no flywheel "rw9", did you mean "rw1"?'),
+    ("simulate", "sat4", {"start": {"V": "1 m/s"}}, "V: expected real numbers in SI, found texts"),
+    ("simulate", "sat4", {"start": 3}, "start 3: expected a mapping or a text or a path or States"),
+    ("simulate", "sat4", {"regime": {"default": {"speed": object()}}}, "default: expected what JSON can have"),
+    ("identify", "sat4", {"data": [3]}, "data[0] 3: expected a text or a path or DataFrame"),
     ("verify", "demo3", {"seed": -1}, "seed -1: expected a whole number of at least 0"),
     ("verify", "demo3", {"judges": True, "states": 0}, "states 0: expected a whole number of at least 1"),
     ("plan", "demo3", {"method": "x"}, 'method: unknown "x", expected one of fourier, ocp'),
@@ -78,6 +98,8 @@ USUAL: dict[str, dict[str, Any]] = {
     "vibration": {"speed": {"all": "100..3000rpm"}, "at": "acc1"},
     "plan": {"motion": stands.path("demo3").with_suffix(".motion.json")},
     "judge": {"with_": "false"},
+    "simulate": {"until": 1e-3},
+    "identify": {"free": "rw1.mass"},
 }
 
 
@@ -181,12 +203,17 @@ def test_on_request_refused_states_are_nan_and_the_others_as_ever(function: str)
 
 NO_STAND: Any = "bench8.toml"
 NO_REAL: Any = "half"
+NOTHING: Any = None
+NUMBER: Any = 3
 
 CALLS: dict[str, Callable[[Any], Any]] = {
     "phi_ddot: expected shape (8,) or (n, 8) (w1, w2, w3, w4, w5, w6, w7, w8), found (7,)": lambda m: m.forward(
         m.state(), np.ones(7)
     ),
-    "phi_ddot: expected real numbers, found an array of <U4": lambda m: m.forward(m.state(), "fast"),
+    'phi_ddot: "fast" is not a number with a unit, expected an angular acceleration (rad/s^2)': lambda m: m.forward(
+        m.state(), "fast"
+    ),
+    "weight: expected real numbers in SI, found texts": lambda m: m.inverse(m.state(), 0.0, weight="1 kg"),
     "tau: no array of numbers: setting an array element with a sequence": lambda m: m.coupled(
         m.state(), [[1.0], [2.0, 3.0]]
     ),
@@ -207,6 +234,16 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     'dt: unit "m" does not fit, expected a time (s)': lambda m: m.step(m.state(), "1 m"),
     "step: BAD_ARGUMENT: dt is -1 s, expected above 0 and at most 10": lambda m: m.step(m.state(), -1.0),
     'on_error: expected "raise" or "nan", found \'ignore\'': lambda m: m.forward(m.state(), on_error="ignore"),
+    'on_error: expected "raise" or "nan", found \'x\'': lambda m: m.simulate("1 ms", on_error="x"),
+    "path None: expected a text or a path": lambda _: mahovik.load(NOTHING),
+    "path of type dict: expected a text or a path": lambda m: m.stand.save({}),
+    "changes 3: expected a mapping": lambda m: m.stand.replace(3),
+    "document 3: expected a mapping": lambda _: mahovik.Stand.from_dict(NUMBER),
+    "stand None: expected a mapping or a text or a path or Stand": lambda _: mahovik.vibration(NOTHING, speed=1.0),
+    "stand 3: expected a mapping or a text or a path or Stand": lambda _: mahovik.modes(NUMBER),
+    "status half: expected a whole number or a list": lambda _: mahovik.status_words(NO_REAL),
+    "path 3: expected a text or a path": lambda m: m.forward(m.state()).save(3),
+    "ax: expected axes of matplotlib, or a list of them, found int": lambda m: m.simulate(2e-3).plot(3),
     '"phidot": no such name, did you mean "phi_dot"?': lambda m: m.state()["phidot"],
     'phi: no "w0" on axis 0, did you mean "w1"?': lambda m: m.state()["phi", "w0"],
     'phidot: states have no such array, did you mean "phi_dot"?': lambda m: setattr(m.state(), "phidot", 1.0),

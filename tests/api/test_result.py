@@ -102,12 +102,18 @@ def test_it_is_saved_by_the_end_of_the_name(tmp_path: Path) -> None:
     pandas = pytest.importorskip("pandas")
     result = orders()
     for suffix in (".csv", ".json", ".parquet"):
-        real = Result(result.title, result.columns[: 3 if suffix == ".parquet" else 4], meta=result.meta)
-        real.save(tmp_path / f"a{suffix}")
+        result.save(tmp_path / f"a{suffix}")
     head, *rows = csv.reader((tmp_path / "a.csv").read_text().splitlines())
     assert head[:3] == ["wheel", "frequency [Hz]", "amplitude x [m]"] and float(rows[0][2]) == 1e-3
     assert json.loads((tmp_path / "a.json").read_text())["largest"] == 0.002
-    assert pandas.read_parquet(tmp_path / "a.parquet")["amplitude y"].tolist() == [2e-3, 3e-5]
+    frame = pandas.read_parquet(tmp_path / "a.parquet")
+    assert frame["amplitude y"].tolist() == [2e-3, 3e-5]
+    assert [name.partition(" [")[0] for name in head] == list(frame.columns), "a complex number is two columns"
+    none = Result("2 states", meta={"answers": [{"V_dot": [0.0]}]})
+    for use in (lambda: none.save(tmp_path / "b.csv"), none.to_pandas):
+        with pytest.raises(mahovik.UsageError, match="2 states: has no table"):
+            use()
+    assert not (tmp_path / "b.csv").exists()
     with pytest.raises(mahovik.UsageError, match=r"expected a name that ends in \.csv or"):
         result.save(tmp_path / "a.txt")
 
@@ -119,6 +125,21 @@ def test_frames_and_datasets_keep_units() -> None:
     assert frame.attrs["units"]["amplitude z"] == "m" and frame.loc["w2", "amplitude z"] == 1e-4
     assert dataset["amplitude"].attrs["units"] == "m" and dataset["amplitude"].dims == ("wheel", "amplitude part")
     assert dataset["frequency"].sel(wheel="w1") == 10.0
+
+
+def test_answers_of_all_functions_are_datasets() -> None:
+    """Each array under its name, with its shape: also where an axis and an array have one name, as twists of points."""
+    pytest.importorskip("xarray")
+    model, zero = mahovik.build(mahovik.example("sat4")), [0.0, 0.0, 0.0]
+    arguments: dict[str, dict[str, Any]] = {"inverse": {"V_dot": zero * 2}, "generalized": {"angles": zero}}
+    answered = [name for name in model.functions["function"] if not name.startswith(("step", "torque_for"))]
+    answers = [getattr(model, name)(model.states(2), **arguments.get(name, {})) for name in answered]
+    answers.append(model.inverse(model.states(2), task="pointing", demand=zero))
+    answers.append(model.torque_for(model.states(2), "pointing", zero))
+    for result in answers:
+        dataset = result.to_xarray()
+        assert {one.name: one.values.shape for one in result.columns} == {x: dataset[x].shape for x in dataset}
+    assert {"points", "matrices", "mounts", "momentum"} <= set(answered)
 
 
 def test_it_is_drawn_on_new_axes_or_given_ones(tmp_path: Path) -> None:

@@ -70,6 +70,41 @@ def test_no_states_at_all() -> None:
     assert m.mounts(m.states(0)).mount_wrench.shape == (0, 8, 6)
 
 
+@pytest.mark.parametrize("name", ["bench8", "pendulum"])
+def test_commands_take_a_state_its_arrays_or_its_keys(name: str) -> None:
+    """A state, a mapping of its arrays, the keys of `eval`, numbers for all, by name and with units are one state."""
+    stand = mahovik.example(name) if name == "bench8" else Stand.of(loads(PENDULUM))
+    m, angle = mahovik.build(stand), [0.0, 0.1, 0.0]
+    moving: dict[str, Any] = {"u": [0.5]} if stand.hold is not None else {"V": [0.1, 0.0, 0.0, 0.0, 0.2, 0.0]}
+    x = m.state(angles=angle, phi_dot={m.flywheels[0]: "600 rpm"}, **moving)
+    keys = {"angles": angle, **moving, "phi_dot": x.phi_dot.tolist()}
+    named = keys | {"phi_dot": {m.flywheels[0]: "600 rpm"}, "phi": "0 rad"}
+    starts: tuple[Any, ...] = (x, dict(x), keys, named)
+    for start in starts:
+        run = mahovik.simulate(stand, until="2 ms", start=start)
+        reached = [run[f"phi_dot {m.flywheels[0]}"][0], run["x"][0], *(run[f"omega_{a}"][0] for a in "xyz")]
+        assert reached == pytest.approx([x.phi_dot[0], x.position[0], *x.V[3:]], abs=1e-15)
+        assert mahovik.modes(stand, start=start).text() == mahovik.modes(stand, start=keys).text()
+    answers = mahovik.eval(stand, [dict(start) | {"want": ["forward"]} for start in starts])["answers"]
+    assert all(np.allclose(answer["V_dot"], m.forward(x)["V_dot"], atol=1e-12) for answer in answers)
+    for several in (m.states(2), model("general").state()):
+        with pytest.raises(mahovik.InputError, match=r"2 states given, expected one|states of another stand"):
+            mahovik.simulate(stand, until=1e-3, start=several)
+
+
+def test_a_state_that_cannot_be_is_an_answer_with_its_error() -> None:
+    """One mapping or one line is one state; arrays that do not fit are told in the place of the answer."""
+    one: dict[str, Any] = {"id": 7, "phi_dot": np.ones(4), "want": ["forward"]}
+    good = mahovik.eval(mahovik.example("sat4"), one)
+    assert good["answers"][0]["id"] == 7 and len(good["answers"]) == 1
+    assert mahovik.eval(mahovik.example("sat4"), '{"want": ["forward"]}').ok
+    bad: list[Any] = [one | {"phi_dot": np.ones(3)}, one | {"phi": object()}, 3, one]
+    result = mahovik.eval(mahovik.example("sat4"), bad)
+    words = [answer.get("error", "") for answer in result["answers"]]
+    assert not result.ok and [bool(text) for text in words] == [True, True, True, False]
+    assert "phi_dot: expected shape (4,)" in words[0] and result["answers"][0]["id"] == 7
+
+
 DT, SPEED, TORQUE = 1e-4, 100.0, 1e-4
 
 

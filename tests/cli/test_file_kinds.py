@@ -11,7 +11,7 @@ import pytest
 from cli.run import refused
 from mahovik import stands
 from mahovik.core.motion.programme import save_programme
-from mahovik.out.arguments import kind_of
+from mahovik.core.stand.files import words_of_file
 from verify.programme.programmes import shaker
 
 WORDS = {
@@ -68,8 +68,8 @@ def files(work_folder: Path) -> set[str]:
 
 
 def test_kinds_are_known_by_content() -> None:
-    assert {name: kind_of(name) for name in WORDS} == WORDS
-    assert kind_of("missing.toml") is None
+    assert {name: words_of_file(Path(name)) for name in WORDS} == WORDS
+    assert words_of_file(Path("missing.toml")) is None
 
 
 @pytest.mark.parametrize("expected", COMMANDS)

@@ -12,28 +12,26 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial, wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, Union, cast
 
 from mahovik.errors import FileError, UsageError, library
-from mahovik.nearest import suggestion
 from mahovik.out.notices import OnProgress, hearing
 from mahovik.out.result import SUFFIXES
-from mahovik.signatures import HIDDEN, Rules, check_arguments
+from mahovik.signatures import HIDDEN, Function, Rules, check_arguments
 
 if TYPE_CHECKING:
     from mahovik.core.motion.programme import Programme
     from mahovik.core.motion.regime import Regime
     from mahovik.core.motion.required import RequiredMotion, Slew
     from mahovik.core.motion.servo import Servo
-    from mahovik.core.stand.model import Stand as CoreStand
-    from mahovik.core.stand.model import State
+    from mahovik.core.stand.model import Stand
     from mahovik.core.stand.units import Dimension
 
 Keys = Mapping[str, Any]
 Number = float | str
 """A number in SI, or a text with its unit."""
 
-StandGiven = Annotated["CoreStand | Keys | str | Path", "STAND.toml"]
+StandGiven = Annotated[Union[Keys, str, Path, "Stand"], "STAND.toml"]
 """A stand, its file, or a mapping with the keys of one."""
 FileGiven = Annotated[Keys | str | Path, "FILE"]
 """A file's path, or a mapping with its keys."""
@@ -44,19 +42,16 @@ Text = Annotated[str, "TEXT"]
 Seconds = Annotated[Number, "TIME"]
 Speed = Annotated[Number, "SPEED"]
 Vector = Annotated[str | Sequence[float], "X,Y,Z"]
-Band = Annotated[tuple[Number, Number] | str, "LOW..HIGHHz"]
-Speeds = Annotated[Number | Mapping[str, Number] | Sequence[Number], "NAME=SPEED"]
-"""One for all flywheels, by their names, or one for each; on the command line `NAME=VALUE`, as often as needed."""
+Range = tuple[Number, Number]
+Band = Annotated[Range | str, "LOW..HIGHHz"]
 Turning = Annotated[
-    float | str | Mapping[str, float | str] | Sequence[float | str], "NAME=SPEED|LOW..HIGH|[FACTOR*]NAME"
+    Number | Mapping[str, Number | Range] | Sequence[Number | Range], "NAME=SPEED|LOW..HIGH|[FACTOR*]NAME"
 ]
 """Speeds of flywheels of which one may be swept, and others geared to it."""
-Phases = Annotated[Mapping[str, Number] | Sequence[Number], "NAME=ANGLE"]
+Phases = Annotated[Number | Mapping[str, Number] | Sequence[Number], "NAME=ANGLE"]
+"""One for all flywheels, by their names, or one for each; on the command line `NAME=VALUE`, as often as needed."""
 Progressing = Annotated[OnProgress | None, HIDDEN]
 """What hears how far a command is; the command line shows it as a line, and offers no option for it."""
-
-
-Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 def command(needs: Rules | None = None, excludes: Rules | None = None) -> Callable[[Function], Function]:
@@ -103,11 +98,11 @@ def _from_source(kind: str, source: Any, load: Callable[..., Made], read: Callab
         return reading(kind, Path(source), load, *more)
     if not isinstance(source, Mapping) and not type(source).__module__.startswith("mahovik"):
         raise UsageError(f"{kind}: expected a path or a mapping, found {type(source).__name__}")
-    made: Made = read(text_of_keys(source, kind != "state"), *more) if isinstance(source, Mapping) else source
+    made: Made = read(text_of_keys(source), *more) if isinstance(source, Mapping) else source
     return made
 
 
-def regime_of(regime: Regime | Keys | str | Path, stand: CoreStand, until: float) -> Regime:
+def regime_of(regime: Regime | Keys | str | Path, stand: Stand, until: float) -> Regime:
     """The regime of a run of `until` s. Raises RegimeError."""
     from mahovik.core.motion.regime import load, loads_regime
 
@@ -115,7 +110,7 @@ def regime_of(regime: Regime | Keys | str | Path, stand: CoreStand, until: float
 
 
 def motion_of(
-    motion: RequiredMotion | Keys | str | Path, stand: CoreStand, programme: Programme | None = None
+    motion: RequiredMotion | Keys | str | Path, stand: Stand, programme: Programme | None = None
 ) -> RequiredMotion:
     """The required motion of the carrier; of a slew, with the course that `programme` keeps. Raises MotionError."""
     from mahovik.core.motion.motion_file import load_motion, read_motion
@@ -124,7 +119,7 @@ def motion_of(
     return _from_source("motion", motion, load, read, stand)
 
 
-def required_of(motion: RequiredMotion | Slew | Keys | str | Path, stand: CoreStand) -> RequiredMotion | Slew:
+def required_of(motion: RequiredMotion | Slew | Keys | str | Path, stand: Stand) -> RequiredMotion | Slew:
     """What `plan` is to find a programme for: a motion, or a slew. Raises MotionError."""
     from mahovik.core.motion.motion_file import load_motion_or_slew, read_motion_or_slew
 
@@ -143,20 +138,11 @@ def programme_of(programme: Programme | Keys | str | Path) -> Programme:
     return _from_source("programme", programme, load_programme, read_programme)
 
 
-def servo_of(servo: Servo | str | Path, stand: CoreStand) -> Servo:
+def servo_of(servo: Servo | str | Path, stand: Stand) -> Servo:
     """The servos of the flywheels. Raises ServoError."""
     from mahovik.core.motion.servo import load_servo
 
     return reading("servo", servo, load_servo, stand) if isinstance(servo, str | Path) else servo
-
-
-def state_of(name: str, state: State | Keys | str | Path, stand: CoreStand, keys: tuple[str, ...], hint: str) -> State:
-    """A state of an argument as `eval` reads it; `keys` are allowed. Raises UsageError; `hint` says why no others."""
-    from mahovik.use.simulate.case import load_start, read_start
-
-    if isinstance(state, str | Path) and not Path(state).exists():
-        raise UsageError(f"{name} {state}: no such file, expected one with a state")
-    return _from_source("state", state, load_start, read_start, stand, keys, hint)
 
 
 def file_name(source: Any, otherwise: str) -> str:
@@ -165,10 +151,13 @@ def file_name(source: Any, otherwise: str) -> str:
 
 
 def text_of_keys(keys: Keys, schema: bool = True) -> str:
-    """A mapping as the text of its file in JSON; the number of the schema need not be given."""
+    """A mapping as the text of its file in JSON; the number of the schema need not be given. Raises UsageError."""
     from mahovik.core.stand.numbers import exact
 
-    return json.dumps(({"schema": 1} if schema else {}) | exact(keys), default=float)
+    try:
+        return json.dumps(({"schema": 1} if schema else {}) | exact(keys), default=float)
+    except (TypeError, ValueError) as error:
+        raise UsageError(f"{', '.join(map(str, keys))}: expected what JSON can have: {error}") from None
 
 
 def quantity(name: str, value: Number, dimension: Dimension, low: float = -math.inf, high: float = math.inf) -> float:
@@ -207,91 +196,16 @@ def time(name: str, value: Number) -> float:
 
 
 def time_limit(name: str, value: Number | None) -> float | None:
-    """How long a search may take, s; None: as long as it needs. Raises UsageError."""
+    """How long a search or a run may take, s; None: as long as it needs. Raises UsageError."""
     if value is None:
         return None
     result = time(name, value)
-    if not result > 0.0:
+    if not 0.0 < result < math.inf:
         raise UsageError(f"{name} {result:g}: expected a time above 0, in s")
     return result
 
 
-def by_flywheel(name: str, values: Mapping[str, Number] | Sequence[Number] | None, stand: CoreStand) -> list[float]:
-    """Angles of an argument `name`: by names of flywheels, others 0, or one for each. Raises UsageError."""
-    from mahovik.core.stand.units import ANGLE
-
-    names = [flywheel.name for flywheel in stand.flywheels]
-    if values is not None and not isinstance(values, Mapping):
-        if len(values) != len(names):
-            raise UsageError(f"{name}: {len(values)} numbers, but the stand has {len(names)} flywheels")
-        values = dict(zip(names, values, strict=True))
-    known = by_name(name, values or {}, stand)
-    return [quantity(f"{name} of {wheel}", known[wheel], ANGLE) if wheel in known else 0.0 for wheel in names]
-
-
-def by_name(name: str, values: Mapping[str, Any], stand: CoreStand) -> dict[str, Any]:
-    """Values of an argument `name` by flywheel; that of `all` is of those without one. Raises UsageError: unknown."""
-    from mahovik.core.stand.units import show
-
-    names = [flywheel.name for flywheel in stand.flywheels]
-    for key in values:
-        if key not in (*names, "all"):
-            raise UsageError(f"{name}: unknown flywheel {show(key)}{suggestion(str(key), names, 'the stand has none')}")
-    return {wheel: values.get(wheel, values.get("all")) for wheel in names if {wheel, "all"} & values.keys()}
-
-
 # ---- files of another kind than an argument takes
-
-_TABLE, _ZIP = "a table (CSV)", "a ZIP archive"
-
-_EXPECTED = {
-    "state": "a state", "campaign": "a campaign file", "influence": "a file of influences", "fmu": "an FMU",
-    "map": "a map of variables", "free": "a list of free numbers", "table": _TABLE, "data": "a file of measured data",
-}  # fmt: skip
-"""What a reader expects, in words, beside the kinds of `core.stand.files`."""
-
-_FORMS = {"data": (_TABLE,), "fmu": (_ZIP,)}
-"""What files of a kind may look like."""
-
-_OF_STATES = {"position", "quaternion", "angles", "V", "phi", "phi_dot", "want"}
-
-_BY_KEYS: dict[str, Callable[[Mapping[str, Any]], bool]] = {
-    "campaign": lambda keys: "vary" in keys and bool(keys.keys() & {"samples", "quantity", "over"}),
-    "map": lambda keys: isinstance(keys.get("state"), dict) and bool(keys.keys() & {"forward", "torque", "coupled"}),
-    "influence": lambda keys: "A" in keys and bool(keys.keys() & {"B", "U", "ALPHA"}),
-    "free": lambda keys: isinstance(keys.get("free"), list),
-    "a manifest of generated C": lambda keys: str(keys.get("generator", "")).startswith("mahovik "),
-    "what a command printed with --json": lambda keys: {"messages", "ok"} <= keys.keys(),
-    "state": lambda keys: not keys.keys() & {"schema", "carrier"} and bool(keys.keys() & _OF_STATES),
-}
-"""How the keys of files that only commands read show what they are, the surest first."""
-
-_BY_BEGINNING = {
-    "<robot": "a URDF", "<mujoco": "an MJCF", "<sdf": "an SDF", "<?xml": "an XML file", "<!--": "an XML file",
-    "PK": _ZIP, "\x7fELF": "a program", "ULog": "a flight log of PX4",
-}  # fmt: skip
-
-
-def kind_of(path: str | Path) -> str | None:
-    """What a file is, in words; None where it cannot be read or nothing shows it."""
-    from mahovik.core.stand.files import KINDS, content, parse_toml
-    from mahovik.core.stand.files import kind_of as kind_of_keys
-
-    try:
-        text = content(Path(path)).decode("utf-8-sig", "replace")
-    except (OSError, ValueError):
-        return None
-    for beginning, words in _BY_BEGINNING.items():
-        if text.lstrip().startswith(beginning):
-            return words
-    for parse in (json.loads, parse_toml):
-        with contextlib.suppress(ValueError, RecursionError):
-            keys = parse(text)
-            keys = keys if isinstance(keys, dict) else {}
-            kind = next((words for words, shows in _BY_KEYS.items() if shows(keys)), None)
-            return _EXPECTED.get(kind, kind) if kind else KINDS.get(kind_of_keys(keys))
-    head = text.partition("\n")[0]
-    return _TABLE if "," in head and not head.lstrip().startswith(("{", "[", "#")) else None
 
 
 @contextlib.contextmanager
@@ -303,12 +217,11 @@ def expecting(kind: str, *sources: Any) -> Iterator[None]:
     try:
         yield
     except (FileError, UsageError) as error:
-        from mahovik.core.stand.files import KINDS
+        from mahovik.core.stand.files import FORMS, KINDS, words_of_file
 
-        expected = _EXPECTED.get(kind) or KINDS[kind]
         for source in sources:
-            known = (None, expected, *_FORMS.get(kind, ()))
-            if isinstance(source, str | Path) and (other := kind_of(source)) not in known:
-                line = f"{source}: is {other}, expected {expected}"
+            known = (None, KINDS[kind], *FORMS.get(kind, ()))
+            if isinstance(source, str | Path) and (other := words_of_file(Path(source))) not in known:
+                line = f"{source}: is {other}, expected {KINDS[kind]}"
                 raise (type(error)([line]) if isinstance(error, FileError) else UsageError(line)) from None
         raise

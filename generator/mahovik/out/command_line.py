@@ -7,7 +7,7 @@ A command is a typed function in a module of its name, and a line in `out.comman
         stand: StandGiven,
         *,
         at: FileGiven = "rest",
-        speed: Speeds | None = None,
+        speed: Turning | None = None,
         progress: Progressing = None,
     ) -> Result:
         '''Find natural frequencies, damping and shapes.

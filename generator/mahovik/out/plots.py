@@ -211,6 +211,8 @@ def draw_on_axes(title: str, panels: Sequence[Panel], axes: Any = None) -> list[
         frames = list(np.ravel(np.asarray(axes, dtype=object)))
         if len(frames) > len(panels):
             raise UsageError(f"ax: {len(frames)} axes are given, but {title} has {len(panels)} panels")
+        if not all(hasattr(frame, "get_xlim") for frame in frames):
+            raise UsageError(f"ax: expected axes of matplotlib, or a list of them, found {type(axes).__name__}")
         for frame, panel in zip(frames, panels, strict=False):
             _draw_panel(panel, frame)
     return frames

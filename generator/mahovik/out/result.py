@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from mahovik.errors import InputError, UsageError, library
 from mahovik.nearest import suggestion
+from mahovik.signatures import checked
 
 if TYPE_CHECKING:
     from mahovik.out.plots import Panel
@@ -107,6 +108,13 @@ class Column(NamedTuple):
             )
             for place, names in zip(np.ndindex(*sizes), labels, strict=True)
         ]
+
+    def real(self) -> list[Column]:
+        """Of complex numbers the halves of each part, `shape x.real`, `shape x.imag`; of others itself."""
+        if self.values.dtype.kind != "c":
+            return [self]
+        pairs = product(self.flat(), ("real", "imag"))
+        return [part._replace(name=f"{part.name}.{half}", values=getattr(part.values, half)) for part, half in pairs]
 
     def part(self, *labels: Any) -> tuple[Any, ...]:
         """The index of the part that labels, numbers or slices name, of an array without rows. Raises InputError."""
@@ -253,7 +261,12 @@ class Result(Mapping[str, Any]):
         return [part for one in self.columns for part in one.flat()]
 
     def _long(self) -> tuple[list[str], list[Column]]:
-        """Names of the columns that rows are known by, and those of a table: a row a moment of each sample."""
+        """Names of the columns that rows are known by, and those of a table: a row a moment of each sample.
+
+        Raises UsageError for a result without columns.
+        """
+        if not self.columns:
+            raise UsageError(f"{self.title}: has no table; to_dict() and .json have what it says")
         names = [self.index] if self.index else []
         if len(self.columns) < 2 or not all(one.axes and one.axes[0].name == "t" for one in self.columns[1:]):
             return names, self.flat()
@@ -278,9 +291,8 @@ class Result(Mapping[str, Any]):
     def _objects(self) -> Any:
         """An object a row."""
         names = [one.name for one in self.columns]
-        rows = [
-            dict(zip(names, row, strict=True)) for row in zip(*(plain(one.values) for one in self.columns), strict=True)
-        ]
+        values = zip(*(plain(one.values) for one in self.columns), strict=True)
+        rows = [dict(zip(names, row, strict=True)) for row in values]
         if not self.index or not self.rows:
             return rows
         return {row.pop(self.index): row for row in rows}
@@ -299,40 +311,38 @@ class Result(Mapping[str, Any]):
     def to_xarray(self) -> Any:
         """The columns as an xarray.Dataset, each with its unit in `attrs`. Raises UsageError without xarray."""
         rows: list[str] = [] if self.single else [self.index or "row"]
-        result, places = {}, dict[str, Any]()
+        result, places, names = {}, dict[str, Any](), {one.name for one in self.columns}
         for one in self.columns:
-            dims: list[str] = []
+            dims = [*rows]
             for axis in one.axes:
-                dims.append(axis.name if axis.name not in dims else f"{axis.name} of {one.name}")
+                name = axis.name if axis.name not in names else f"{axis.name} part"  # it is a column as well
+                dims.append(name if name not in dims else f"{name} of {one.name}")
                 places |= {dims[-1]: list(axis.labels)} if axis.labels else {}
             more = {"units": one.unit, "long_name": one.meaning}
-            result[one.name] = ([*rows, *dims], self[one.name], {key: text for key, text in more.items() if text})
+            result[one.name] = (dims, self[one.name], {key: text for key, text in more.items() if text})
         if rows:
             places[rows[0]] = result.pop(self.index) if self.index else np.arange(self.count)
         return library("xarray", "frames").Dataset(result, coords=places)
 
     # ---- files
 
+    @checked
     def save(self, path: str | Path) -> None:
         """Write it to a file, by the end of its name: .csv, .json, .parquet, .svg or .png. Raises UsageError."""
         from mahovik.writing import format_of, write
 
         path = Path(path)
         suffix = format_of(path, SUFFIXES, "path")
+        # files know no complex numbers
+        table = dataclasses.replace(self, columns=[part for one in self.columns for part in one.real()])
         if suffix == ".json":
             write(path, self.to_json() + "\n")
         elif suffix == ".csv":
-            write(path, self._csv())
+            write(path, table._csv())
         elif suffix == ".parquet":
             content = io.BytesIO()
             library("pyarrow", "campaign")
-            frame = self.to_pandas()
-            for name in frame.columns[[kind.kind == "c" for kind in frame.dtypes]]:  # which Parquet does not have
-                number = frame.pop(name)
-                frame = frame.assign(
-                    **{f"{name}.real": number.map(lambda z: z.real), f"{name}.imag": number.map(lambda z: z.imag)}
-                )
-            frame.to_parquet(content)
+            table.to_pandas().to_parquet(content)
             write(path, content.getvalue())
         else:
             from mahovik.out.plots import draw

@@ -9,7 +9,8 @@ import json
 import math
 import re
 import tomllib
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from decimal import Decimal, InvalidOperation
 from itertools import starmap
@@ -32,20 +33,53 @@ TABLE = 256 << 20
 FLIGHT = 1 << 30
 """Largest flight log that is read, bytes: hours of a thousand steps a second."""
 
+CSV, ZIP = "a table (CSV)", "a ZIP archive"
+
 KINDS = {
     "stand": "a stand file",
     "programme": "a programme file",
     "motion": "a motion file",
     "regime": "a regime",
     "servo": "a file of servos",
+    "state": "a state",
+    "campaign": "a campaign file",
+    "influence": "a file of influences",
+    "map": "a map of variables",
+    "free": "a list of free numbers",
+    "manifest": "a manifest of generated C",
+    "result": "what a command printed with --json",
+    "table": CSV,
+    "data": "a file of measured data",
+    "fmu": "an FMU",
 }
-"""Kinds of files in TOML or JSON, in words."""
+"""Kinds of files, in words."""
+
+FORMS = {"data": (CSV,), "fmu": (ZIP,)}
+"""What files of a kind may look like."""
+
+_OF_STATES = {"position", "quaternion", "angles", "V", "phi", "phi_dot", "want"}
+
+_BY_KEYS: dict[str, Callable[[Mapping[str, Any]], bool]] = {
+    "campaign": lambda keys: "vary" in keys and bool(keys.keys() & {"samples", "quantity", "over"}),
+    "map": lambda keys: isinstance(keys.get("state"), dict) and bool(keys.keys() & {"forward", "torque", "coupled"}),
+    "influence": lambda keys: "A" in keys and bool(keys.keys() & {"B", "U", "ALPHA"}),
+    "free": lambda keys: isinstance(keys.get("free"), list),
+    "manifest": lambda keys: str(keys.get("generator", "")).startswith("mahovik "),
+    "result": lambda keys: {"messages", "ok"} <= keys.keys(),
+    "state": lambda keys: not keys.keys() & {"schema", "carrier"} and bool(keys.keys() & _OF_STATES),
+}
+"""How the keys of files that only commands read show what they are, the surest first."""
+
+_BY_BEGINNING = {
+    "<robot": "a URDF", "<mujoco": "an MJCF", "<sdf": "an SDF", "<?xml": "an XML file", "<!--": "an XML file",
+    "PK": ZIP, "\x7fELF": "a program", "ULog": "a flight log of PX4",
+}  # fmt: skip
 
 _PIECE = 1 << 20
 
 
 def kind_of(document: Mapping[str, Any]) -> str:
-    """The kind of a file, one of KINDS, by its keys; empty where they do not tell."""
+    """The kind of a file of schema 1, one of KINDS, by its keys; empty where they do not tell."""
     if isinstance(document.get("carrier"), dict) and "name" in document:
         return "stand"
     if "stand" in document and "flywheels" in document:
@@ -55,6 +89,24 @@ def kind_of(document: Mapping[str, Any]) -> str:
     if document.keys() & {"default", "wrench"} or isinstance(document.get("flywheel"), dict):
         return "regime"
     return "servo" if "sample_period" in document else ""
+
+
+def words_of_file(path: Path) -> str | None:
+    """What a file is; None where it cannot be read or nothing shows it."""
+    try:
+        text = content(path).decode("utf-8-sig", "replace")
+    except (OSError, ValueError):
+        return None
+    for beginning, words in _BY_BEGINNING.items():
+        if text.lstrip().startswith(beginning):
+            return words
+    for parse in (json.loads, parse_toml):
+        with suppress(ValueError, RecursionError):
+            keys = parse(text)
+            keys = keys if isinstance(keys, dict) else {}
+            return KINDS.get(next((kind for kind, shows in _BY_KEYS.items() if shows(keys)), kind_of(keys)))
+    head = text.partition("\n")[0]
+    return CSV if "," in head and not head.lstrip().startswith(("{", "[", "#")) else None
 
 
 def wrong_kind(kind: str, *expected: str) -> str:

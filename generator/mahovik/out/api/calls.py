@@ -16,7 +16,6 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.contract.status import status_words as words_of_status
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, record
 from mahovik.core.stand.coordinates import row_name
-from mahovik.core.stand.hold import freedom_names
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.core.stand.units import show
@@ -27,12 +26,20 @@ from mahovik.out.api import inputs
 from mahovik.out.api.inputs import PLACE, QUATERNION, TWIST, WRENCH, Given
 from mahovik.out.api.states import StateMaker, States
 from mahovik.out.api.tables import Tables
+from mahovik.out.arguments import time
 from mahovik.out.result import Axis, Column, Result
+from mahovik.signatures import checked
 
 Array = NDArray[Any]
 Locks = Sequence[str] | ArrayLike
 """Names of flywheels that are locked, or a flag for each."""
 OnError = Literal["raise", "nan"]
+
+
+def check_on_error(on_error: str) -> None:
+    """Raise InputError for another word than those of OnError."""
+    if on_error not in ("raise", "nan"):
+        raise InputError(f'on_error: expected "raise" or "nan", found {on_error!r:.40}')
 
 
 class Status(IntEnum):
@@ -53,11 +60,12 @@ class Status(IntEnum):
     BAD_ARGUMENT = STATUS_VALUES["BAD_ARGUMENT"]
 
 
+@checked
 def status_words(status: int | Array) -> Any:
     """A status in words, as `mahovik eval` has it: `OK`, `NEAR_SINGULAR|LIMITED`; of an array a list of them."""
-    if isinstance(status, np.ndarray) and status.ndim:
-        return [status_words(bits) for bits in status]
-    return words_of_status(int(status))
+    if isinstance(status, np.ndarray):
+        return [words_of_status(bits) for bits in status.tolist()] if status.ndim else words_of_status(int(status))
+    return words_of_status(status)
 
 
 class How(TypedDict, total=False):
@@ -114,22 +122,18 @@ class Calls:
         self.flywheels = tuple(s.name for s in stand.flywheels)
         self._bodies = tuple(body.name for body in stand.bodies)
         self._rows = {task.name: Axis("row", tuple(map(row_name, task.rows))) for task in stand.tasks}
-        wheels = Axis("flywheel", self.flywheels)
-        self._counted = {"N": wheels, "SENSORS": Axis("sensor", tuple(self.made.sensors))}
+        self._axes = inputs.axes_of(stand)
+        self._counted = {"N": self._axes["phi"], "SENSORS": Axis("sensor", tuple(self.made.sensors))}
         state = next(a for f in self.made.functions.values() for a in f.arguments if a.name == "x")
         self.state = [self._column(m) for m in state.members]
         self.maker = StateMaker(stand, self.state, self.element, self._quaternions)
         self.columns = {name: list(self._columns(f)) for name, f in self.made.functions.items()}
-        self._axes = {one.name: one.axes[0] for one in self.state}
-        self._axes |= {"phi_ddot": wheels, "tau": wheels, "V_dot": TWIST, "angles": Axis("angle", _RATES.labels[3:])}
 
     # -- what comes out ----------------------------------------------------------------------------------------------
 
     def _columns(self, f: ArrayFunction) -> Iterator[Column]:
         """A column of no state for each result of a function."""
-        hold, of_rows = self.stand.hold, self._rows.get(task_of(f.name))
-        if hold is not None:
-            of_rows = Axis("freedom", tuple(freedom_names(hold)))
+        of_rows = self._axes.get("u", self._rows.get(task_of(f.name)))
         for a in f.arguments:
             for m in a.members if a.direction != "in" else ():
                 for inner in m.members or (m,):
@@ -166,7 +170,7 @@ class Calls:
         self, function: str, x: Any, dt: float | str, order: int, carry: Array | None, how: How, **arguments: Any
     ) -> States:
         """States a step later; changes the carry. Raises InputError, RefusedError."""
-        dt = inputs.time(dt, "dt")
+        dt = time("dt", dt)
         if order not in (2, 4):
             raise InputError(f"order: expected 2 or 4, found {order!r:.40}")
         arguments |= {"dt": self._number(dt, "dt"), "order": np.array([order], dtype=np.int32)}
@@ -225,8 +229,7 @@ class Calls:
         arguments  by name, as (components, n), (count,), () or a record of what is the same for all states
         tables     of n stands, one of each state; None: of the stand itself
         """
-        if on_error not in ("raise", "nan"):
-            raise InputError(f'on_error: expected "raise" or "nan", found {on_error!r:.40}')
+        check_on_error(on_error)
         memory: dict[str, Array] = {}
         same = True  # whatever the tables
         for a in self.made.functions[function].arguments:
@@ -295,7 +298,7 @@ class Calls:
     def array(self, x: Any) -> Array:
         """States as an array of shape (n, k) or (k,). Raises InputError."""
         if isinstance(x, States):
-            if not x.is_like(self.state):
+            if x.flywheels != self.flywheels:
                 raise InputError(f"states of another stand: {x!r}, expected states of {self.stand.name}")
             return x.array
         result = inputs.read(x, "states", self.maker.numbers)

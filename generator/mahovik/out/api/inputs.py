@@ -13,8 +13,10 @@ from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, limits, thresholds
 from mahovik.core.program.arrays import ArgumentLayout
 from mahovik.core.program.types import DOUBLE, FLOAT
-from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS
-from mahovik.core.stand.units import TIME, QuantityError, number, show
+from mahovik.core.stand.hold import freedom_names
+from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
+from mahovik.core.stand.numbers import in_si
+from mahovik.core.stand.units import ANGLE, ANGULAR_ACCELERATION, LENGTH, SPEED, TORQUE, QuantityError, show
 from mahovik.errors import InputError, RefusedError
 from mahovik.nearest import suggestion
 from mahovik.out.result import Axis
@@ -26,31 +28,48 @@ Given = ArrayLike | Mapping[str, ArrayLike]
 PLACE, QUATERNION = Axis("axis", ("x", "y", "z")), Axis("quaternion", ("w", "x", "y", "z"))
 TWIST, WRENCH = Axis("twist", tuple(TWIST_LETTERS)), Axis("wrench", tuple(WRENCH_LETTERS))
 
+DIMENSIONS = {
+    "position": LENGTH, "angles": ANGLE, "phi": ANGLE, "phi_dot": SPEED, "motor_speed": SPEED, "target_speed": SPEED,
+    "avoid_speed": SPEED, "phi_ddot": ANGULAR_ACCELERATION, "limit": ANGULAR_ACCELERATION, "most": ANGULAR_ACCELERATION,
+    "tau": TORQUE, "motor_torque": TORQUE,
+}  # fmt: skip
+"""Inputs that may be texts with a unit."""
+
+
+def axes_of(stand: Stand) -> dict[str, Axis]:
+    """What the numbers of an input count, by the name of the input."""
+    axes = {"position": PLACE, "attitude": QUATERNION, "V": TWIST, "V_dot": TWIST}
+    axes["angles"] = Axis("angle", ("psi", "theta", "phi"))
+    axes |= dict.fromkeys(
+        ("phi", "phi_dot", "phi_ddot", "tau"), Axis("flywheel", tuple(s.name for s in stand.flywheels))
+    )
+    if stand.hold is not None:
+        axes |= dict.fromkeys(("u", "u_dot"), Axis("freedom", tuple(freedom_names(stand.hold))))
+    return axes
+
 
 def numbers(values: Any, what: str) -> Array:
-    """An array of real numbers. Raises InputError for anything else."""
+    """An array of real numbers, in SI, of an input, with whose name `what` begins. Raises InputError."""
+    dimension = DIMENSIONS.get(what.partition(" ")[0])
     try:
         result = np.asarray(values)
+        if dimension is not None and result.dtype.kind == "U":
+            return np.reshape([in_si(text, dimension) for text in result.flat], result.shape)
+    except QuantityError as error:
+        raise InputError(f"{what}: {error}") from None
     except (ValueError, TypeError) as error:
         raise InputError(f"{what}: no array of numbers: {str(error).split('. ')[0]}") from None
     if result.dtype.kind not in "iuf":
         if result.size == 0:
             return result.astype(np.float64)
-        raise InputError(f"{what}: expected real numbers, found an array of {result.dtype}")
+        kind = "texts" if result.dtype.kind == "U" else f"an array of {result.dtype}"
+        raise InputError(f"{what}: expected real numbers in SI, found {kind}")
     return result
 
 
 def is_count(n: Any) -> bool:
     """Whether it is a whole number from 0."""
     return isinstance(n, int | np.integer) and not isinstance(n, bool) and bool(n >= 0)
-
-
-def time(value: Any, what: str) -> Any:
-    """A text with a unit as a time in s; anything else as it is. Raises InputError."""
-    try:
-        return number(value, TIME) if isinstance(value, str) else value
-    except QuantityError as error:
-        raise InputError(f"{what}: {error}") from None
 
 
 def read(values: Given, what: str, axis: Axis) -> Array:

@@ -13,10 +13,9 @@ from mahovik.core.motion.regime import Regime, steady_regime
 from mahovik.core.stand.model import Stand, rest_state
 from mahovik.core.toolchain.compiled import Block
 from mahovik.errors import InputError, RefusedError, UsageError
-from mahovik.out.api.calls import Array, Calls, OnError
-from mahovik.out.api.inputs import time
+from mahovik.out.api.calls import Array, Calls, OnError, check_on_error
 from mahovik.out.api.tables import Tables
-from mahovik.out.arguments import regime_of
+from mahovik.out.arguments import regime_of, time
 from mahovik.out.result import Axis, Column, Result
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.course import NEEDS, motion, parts_of, stand_for, why_refused
@@ -41,7 +40,8 @@ def simulate(
     on_error: OnError,
 ) -> Result:
     """See `Model.simulate`."""
-    end, step, between = time(until, "until"), time(dt, "dt"), time(every, "every")
+    check_on_error(on_error)
+    end, step, between = time("until", until), time("dt", dt), time("every", every)
     x, n = _beginnings(calls, start, tables)
     speeds = x[13 + len(calls.flywheels) :]
     if regime is None and np.any(speeds != speeds[:, :1]):

@@ -13,9 +13,8 @@ from mahovik.core.stand import stand_file
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.numbers import exact, put
 from mahovik.core.stand.stand_file import document_at, read
-from mahovik.core.stand.units import show
-from mahovik.errors import UsageError
 from mahovik.out.arguments import expecting
+from mahovik.signatures import checked
 
 
 @dataclass(frozen=True, repr=False)
@@ -23,16 +22,16 @@ class Stand(CoreStand):
     """A stand: data in SI, checked; its file's keys can be changed by path, with units."""
 
     @staticmethod
+    @checked
     def from_dict(document: Mapping[str, Any], source: str = "stand") -> Stand:
         """The stand of a mapping with the keys of a stand file; numbers, or texts with a unit, as there.
 
         `source` names it in messages. NumPy arrays count as lists. Raises StandError with every problem.
         """
-        if not isinstance(document, Mapping):
-            raise UsageError(f"{source}: expected a mapping with the keys of a stand file, found {show(document)}")
         return _read(exact(document), source)
 
     @staticmethod
+    @checked
     def of(stand: CoreStand | Mapping[str, Any] | str | Path) -> Stand:
         """A stand as it is, or the one of a file or of a mapping with its keys. Raises StandError."""
         if isinstance(stand, Mapping):
@@ -48,6 +47,7 @@ class Stand(CoreStand):
         document: dict[str, Any] | None = self.__dict__.get("_document")
         return deepcopy(document) if document is not None else exact(stand_file.document_of(self))
 
+    @checked
     def replace(self, changes: Mapping[str, Any]) -> Stand:
         """The stand with other values: `{"w1.unbalance.static": "2 g mm", "carrier.mass": 13.0, "gravity[2]": 0}`.
 
@@ -62,6 +62,7 @@ class Stand(CoreStand):
         put(document, changes)
         return _read(document, self.name)
 
+    @checked
     def save(self, path: str | Path) -> None:
         """Write it as a stand file, in SI, with every digit. Raises UsageError."""
         from mahovik.writing import write
@@ -82,6 +83,7 @@ class Stand(CoreStand):
         )._repr_html_()
 
 
+@checked
 def load(path: str | Path) -> Stand:
     """The stand of a stand file, checked and in SI. Raises StandError with every problem of the file."""
     with expecting("stand", path):

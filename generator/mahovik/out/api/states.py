@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any, TypedDict, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mahovik.contract.quantities import UNIT_LENGTH
-from mahovik.core.stand.hold import carried_point, freedom_names, is_closed, twists
-from mahovik.core.stand.model import Stand
-from mahovik.errors import InputError
+from mahovik.core.stand.hold import carried_point, is_closed, twists
+from mahovik.core.stand.model import Stand, State
+from mahovik.errors import InputError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.api.inputs import PLACE, TWIST, Given, batch_size, by_component, is_count, numbers, read
+from mahovik.out.api.inputs import Given, axes_of, batch_size, by_component, is_count, numbers, read
+from mahovik.out.arguments import reading, text_of_keys
 from mahovik.out.result import Axis, Column, Result
-from mahovik.proof.verify.draw import ALLOWED, blocked_twist, freedoms, home_attitude, worst
+from mahovik.proof.verify.draw import ALLOWED, blocked_twist, freedom_rates, freedoms, home_attitude, worst
 from mahovik.proof.verify.states import ROUNDING
 
 Array = NDArray[Any]
@@ -117,9 +119,10 @@ class States:
         """States with memory of their own."""
         return States(self._stand, self._columns, self._memory.copy(), self._single)
 
-    def is_like(self, columns: Sequence[Column]) -> bool:
-        """Whether the arrays are these: of a stand with the same flywheels."""
-        return self._columns is columns or [x[::3] for x in self._columns] == [x[::3] for x in columns]
+    @property
+    def flywheels(self) -> tuple[str, ...]:
+        """Names of the flywheels."""
+        return next((one.axes[0].labels for one in self._columns if one.name == "phi"), ())
 
     def __repr__(self) -> str:
         of = "a state" if self._single else f"{len(self)} states"
@@ -153,7 +156,7 @@ class StateMaker:
     ) -> None:
         self.stand, self.columns, self.element, self.quaternions = stand, columns, element, quaternions
         names = [f"{one.name} {label}" for one in columns for label in one.axes[0].labels]
-        self.numbers = Axis("number", tuple(names))
+        self.numbers, self.axes = Axis("number", tuple(names)), axes_of(stand)
 
     @property
     def components(self) -> int:
@@ -168,9 +171,8 @@ class StateMaker:
             raise InputError(f"states: n: expected a number of states, found {n!r:.40}")
         place, turn = self._pose(values.get("position"), values.get("attitude"), values.get("angles"))
         parts = {"position": place, "attitude": turn, "V": self._twist(values.get("V", 0.0), values.get("u"))}
-        wheels = Axis("flywheel", tuple(s.name for s in self.stand.flywheels))
-        parts |= {"phi": read(values.get("phi", 0.0), "phi", wheels)}
-        parts |= {"phi_dot": read(values.get("phi_dot", 0.0), "phi_dot", wheels)}
+        for name, value in (("phi", values.get("phi", 0.0)), ("phi_dot", values.get("phi_dot", 0.0))):
+            parts[name] = read(value, name, self.axes[name])
         many = batch_size(parts)
         if n is not None and many not in (None, n):
             raise InputError(f"states: n is {n}, but arrays of {many} states were given")
@@ -192,7 +194,7 @@ class StateMaker:
         self, position: ArrayLike | None, attitude: ArrayLike | None, angles: ArrayLike | None
     ) -> tuple[Array, Array]:
         """Position (), (3,) or (n, 3) and attitude (4,) or (n, 4), of what is given and what a hold says."""
-        place = None if position is None else read(position, "position", PLACE)
+        place = None if position is None else read(position, "position", self.axes["position"])
         turn = self._attitudes(attitude, angles)
         if self.stand.hold is None:
             return np.zeros(()) if place is None else place, turn
@@ -208,7 +210,7 @@ class StateMaker:
         """V (), (6,) or (n, 6), given or of u. Raises InputError, also for one that a hold does not allow."""
         hold = self.stand.hold
         if u is None:
-            twist = read(V, "V", TWIST)
+            twist = read(V, "V", self.axes["V"])
             if hold is not None and (reason := blocked_twist(hold, twist * np.ones(6))):
                 raise InputError(reason)
             return twist
@@ -216,7 +218,7 @@ class StateMaker:
             raise InputError("u: the stand has no [hold], expected V")
         if not (isinstance(V, float) and V == 0.0):
             raise InputError("V, u: both given, expected one of them")
-        rates = read(u, "u", Axis("freedom", tuple(freedom_names(hold)))) * np.ones(len(hold.freedoms))
+        rates = read(u, "u", self.axes["u"]) * np.ones(len(hold.freedoms))
         return np.asarray(rates @ twists(hold).T)
 
     def _attitudes(self, attitude: ArrayLike | None, angles: ArrayLike | None) -> Array:
@@ -224,7 +226,7 @@ class StateMaker:
         if attitude is not None and angles is not None:
             raise InputError("attitude, angles: both given, expected one of them")
         if angles is not None:
-            triples = read(angles, "angles", Axis("angle", ("psi", "theta", "phi")))
+            triples = read(angles, "angles", self.axes["angles"])
             return self.quaternions(np.full(3, triples) if triples.ndim == 0 else triples)
         if attitude is None:
             return np.array([1.0, 0.0, 0.0, 0.0])
@@ -237,6 +239,47 @@ class StateMaker:
             where = f" of state {wrong[0]}" if attitudes.ndim == 2 else ""
             raise InputError(f"attitude{where}: length {length.flat[wrong[0]]:.9g}, expected 1 within {UNIT_LENGTH:g}")
         return np.where(np.abs(length - 1.0) <= ROUNDING, attitudes, attitudes / length)
+
+
+def keys_of_state(state: States | Mapping[str, Any], stand: Stand) -> dict[str, Any]:
+    """The keys of a state of `stand` as `eval` reads it, in plain data: as the arrays of a state, or what makes one.
+
+    Raises InputError.
+    """
+    if not isinstance(state, States | Mapping):
+        raise InputError(f"state: expected a mapping with its keys, found {type(state).__name__}")
+    if isinstance(state, States):
+        if state.batch is not None:
+            raise InputError(f"state: {len(state)} states given, expected one, as states.take(0)")
+        if state.flywheels != tuple(s.name for s in stand.flywheels):
+            raise InputError(f"states of another stand: {state!r}, expected a state of {stand.name}")
+    keys, hold = dict(state), stand.hold
+    for name, axis in axes_of(stand).items():
+        if name in keys:
+            keys[name] = (read(keys[name], name, axis) * np.ones(len(axis.labels))).tolist()
+    if "attitude" in keys:
+        keys["quaternion"] = keys.pop("attitude")
+    if hold is not None and "V" in keys and "u" not in keys:
+        V = np.array(keys.pop("V"))
+        if reason := blocked_twist(hold, V):
+            raise InputError(reason)
+        keys["u"] = freedom_rates(hold, V).tolist()
+    return keys
+
+
+def state_of(
+    name: str, state: State | States | Mapping[str, Any] | str | Path, stand: Stand, keys: tuple[str, ...], hint: str
+) -> State:
+    """A state of an argument as `eval` reads it; `keys` are allowed. Raises UsageError; `hint` says why no others."""
+    from mahovik.use.simulate.case import load_start, read_start
+
+    if isinstance(state, State):
+        return state
+    if not isinstance(state, str | Path):
+        return read_start(text_of_keys(keys_of_state(state, stand), schema=False), stand, keys, hint)
+    if not Path(state).exists():
+        raise UsageError(f"{name} {state}: no such file, expected one with a state")
+    return reading("state", Path(state), load_start, stand, keys, hint)
 
 
 # -- poses that a hold allows ------------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -27,8 +28,9 @@ from mahovik.core.toolchain.compiled import PER_BLOCK, Block, compile_library
 from mahovik.errors import CheckError, MahovikError, StateError, UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
+from mahovik.out.api.states import state_of
 from mahovik.out.api.tables import PLACE_OF_HOLD, Tables
-from mahovik.out.arguments import by_flywheel, motion_of, programme_of, regime_of, state_of
+from mahovik.out.arguments import motion_of, programme_of, regime_of, text_of_keys
 from mahovik.out.campaign.quantities import AXES, HOLD, Errors, Quantity, Scene, rotation, turn
 from mahovik.out.notices import MahovikWarning, warn_of_steps, warn_of_turn
 from mahovik.proof.verify.programme.mechanics import scale_of
@@ -42,7 +44,7 @@ from mahovik.use.simulate.course import FUNCTIONS, Moments, motion, parts_of, st
 from mahovik.use.simulate.held import allowed_start
 from mahovik.use.study.rest import accuracy, rest
 from mahovik.use.vibration.lines import LineName, Lines
-from mahovik.use.vibration.speeds import read_speeds
+from mahovik.use.vibration.speeds import read_phases, read_speeds
 from mahovik.use.vibration.steady import steady
 from mahovik.use.vibration.view import REACTION, find_view
 
@@ -246,7 +248,8 @@ def _over_regime(stand: Stand, over: RegimeTable, quantities: Sequence[Quantity]
     stand = stand.replace(inputs) if inputs else stand
     begin: Begin
     if start != "rest":
-        state = state_of("start", start, stand, START_KEYS, HINT)
+        keys = start if isinstance(start, Path) else json.loads(text_of_keys(start, schema=False))
+        state = state_of("start", keys, stand, START_KEYS, HINT)
         begin = partial(_begin_at, _column(stand, state))
     else:
         begin = AtRest(stand, [flywheel.phase or 0.0 for flywheel in regime.flywheels])
@@ -424,7 +427,7 @@ def _steady(stand: Stand, over: SpeedsTable, quantities: Sequence[Quantity]) -> 
     plan = read_speeds(stand, list(texts))
     if plan.sweep is not None:
         raise UsageError("speeds: a range of speeds, expected one speed of each flywheel")
-    phases = by_flywheel("phases", over.phases, stand)
+    phases = read_phases("phases", stand, over.phases)
 
     def numbers_of(variant: Stand) -> Mapping[str, float]:
         motion, numbers = steady(variant, plan.speeds(0.0), phases), {}

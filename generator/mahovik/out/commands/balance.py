@@ -10,7 +10,7 @@ import numpy as np
 
 from mahovik.core.stand.units import PLAIN
 from mahovik.errors import UsageError
-from mahovik.out.arguments import FileGiven, Number, StandGiven, by_name, command, quantity, reading
+from mahovik.out.arguments import FileGiven, Number, StandGiven, command, quantity, reading
 from mahovik.out.commands.identify import DataGiven, files_of
 from mahovik.out.result import Column, Result, column
 
@@ -157,9 +157,10 @@ def _static(wheels: Sequence[Any]) -> Result:
 def _planes(stand: Stand, plane: Any) -> dict[str, tuple[float, ...]]:
     """Positions of planes (m) by flywheel. Raises UsageError: a name or a number."""
     from mahovik.core.stand.units import LENGTH
+    from mahovik.use.vibration.speeds import by_name
 
     result = {}
-    for wheel, value in by_name("plane", plane, stand).items():
+    for wheel, value in by_name("plane", stand, plane).items():
         texts = value.split(",") if isinstance(value, str) else value if isinstance(value, list | tuple) else [value]
         result[wheel] = tuple(quantity(f"plane of {wheel}", text, LENGTH) for text in texts)
         if len(set(result[wheel])) < max(len(texts), 1):

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.arguments import Phases, Seconds, Speed, StandGiven, by_flywheel, command, quantity
+from mahovik.out.arguments import Phases, Seconds, Speed, StandGiven, command, quantity
 from mahovik.out.notices import warn_of_speeds
 from mahovik.out.result import Result, column, columns_of
 
@@ -58,11 +58,12 @@ def check(
     from mahovik.out.api.stands import Stand
     from mahovik.use.simulate.held import USUAL_STEP, long_steps, lost_increments
     from mahovik.use.study.shortfalls import excess, shortfalls, shortfalls_line, task_shortfalls
+    from mahovik.use.vibration.speeds import read_phases
 
     machine = Stand.of(stand)
     turning = None if speed is None else abs(quantity("speed", speed, SPEED, -1e9, 1e9))
     step = USUAL_STEP if dt is None else quantity("dt", dt, TIME, 1e-9, 1e3)
-    phases = by_flywheel("phase", phase, machine)
+    phases = read_phases("phase", machine, phase)
     if turning is not None:
         count, text = len(machine.flywheels), f"{speed:g}" if isinstance(speed, float) else str(speed)
         warn_of_speeds(machine, [turning] * count, [text] * count)

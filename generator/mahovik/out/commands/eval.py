@@ -4,22 +4,25 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterable, Mapping
-from typing import Annotated, Any, Literal
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from mahovik.errors import CheckError
-from mahovik.out.arguments import StandGiven, command
+from mahovik.errors import CheckError, MahovikError
+from mahovik.out.arguments import StandGiven, command, text_of_keys
 from mahovik.out.result import Result
 from mahovik.signatures import HIDDEN
 
-States = Annotated[Iterable[Mapping[str, Any] | str] | None, HIDDEN]
-"""States as mappings or lines of JSON; None: the lines of standard input."""
+if TYPE_CHECKING:
+    from mahovik.out.api.stands import Stand
+
+StatesGiven = Annotated[Mapping[str, Any] | str | Iterable[Mapping[str, Any] | str] | None, HIDDEN]
+"""States as mappings or lines of JSON, or one; None: the lines of standard input."""
 
 
 @command(needs={"backend=c": ("real",)})
 def eval(
     stand: StandGiven,
-    states: States = None,
+    states: StatesGiven = None,
     *,
     backend: Literal["c", "numpy", "casadi"] = "c",
     real: Literal["double", "float"] = "double",
@@ -31,7 +34,7 @@ def eval(
     `mounts`, `points` take the motion that results.
 
     A state that cannot be evaluated gives an error line in its place; the exit status is then 1. In Python `states` are
-    mappings or lines, and `answers` of the result is the list of what the lines hold.
+    mappings or lines, or one, and `answers` of the result is the list of what the lines hold.
 
     Args:
         stand: the stand file.
@@ -44,15 +47,12 @@ def eval(
     """
     from mahovik.out.api.stands import Stand
     from mahovik.proof.verify import backends
-    from mahovik.proof.verify.states import evaluate_lines, split_lines
 
     machine = Stand.of(stand)
     makers = {"numpy": backends.NumpyBackend, "casadi": backends.CasadiBackend}
     by = makers[backend](machine) if backend in makers else backends.KeptBackend(machine, real)
-    texts = (state if isinstance(state, str) else json.dumps(dict(state)) for state in states or ())
-    lines = split_lines(sys.stdin.buffer) if states is None else map(str.encode, texts)
     failed, answers = 0, list[dict[str, Any]]()
-    for line, good in evaluate_lines(machine, by, lines, real):
+    for line, good in _evaluated(machine, by, states, real):
         failed += not good
         if states is None:
             sys.stdout.write(f"{line}\n")
@@ -66,3 +66,21 @@ def eval(
     return Result(
         f"{len(answers)} states of {machine.name}", meta={"answers": answers}, messages=messages, ok=not failed
     )
+
+
+def _evaluated(stand: Stand, backend: Any, states: Any, real: str) -> Iterator[tuple[str, bool]]:
+    """A line of each state, and whether it was evaluated."""
+    from mahovik.out.api.states import States, keys_of_state
+    from mahovik.proof.verify.states import evaluate_lines, split_lines
+
+    if states is None:
+        yield from evaluate_lines(stand, backend, split_lines(sys.stdin.buffer), real)
+        return
+    for state in [states] if isinstance(states, Mapping | str | States) else states:
+        try:
+            line = state if isinstance(state, str) else text_of_keys(keys_of_state(state, stand), schema=False)
+        except MahovikError as error:
+            identity = state.get("id") if isinstance(state, Mapping) else None
+            yield text_of_keys({"id": identity, "error": str(error)}, schema=False), False
+        else:
+            yield from evaluate_lines(stand, backend, [line.encode()], real)

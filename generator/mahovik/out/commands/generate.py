@@ -154,8 +154,7 @@ def generate(
         if project.startswith("attitude-") and programme is None:
             raise CheckError(f"{folder} has an attitude loop: expected the attitude=TASK that it was made with")
         if programme is not None and project not in ("cmake", *TARGETS):
-            words = f"{folder} has the project {project}, which cannot play it: choose another folder"
-            raise UsageError(f"programme: {words}")
+            raise UsageError(f"programme: {folder} has project {project}, which cannot play it: choose another folder")
     if prefix is None and (check or programme is not None):
         named = stand_in(folder, named, CheckError if check else UsageError)
     notify(progress, Progress(f"generate {named.name}"))

@@ -24,9 +24,6 @@ if TYPE_CHECKING:
     from mahovik.proof.verify.foreign import Program
     from mahovik.proof.verify.states import Request
 
-StandPath = Annotated[str | Path, "STAND.toml"]
-Command = Annotated[str, "COMMAND"]
-
 MARGIN = 10.0
 """Accepted difference over the error of derived accelerations."""
 
@@ -36,9 +33,9 @@ COARSEST = 0.01
 
 @command(needs={"fmu": ("map",), "map": ("fmu",), "with_": ("attitude",)}, excludes={"log": ("states", "timeout")})
 def judge(
-    stand: StandPath,
+    stand: Annotated[str | Path, "STAND.toml"],
     *,
-    with_: Command | None = None,
+    with_: Annotated[str, "COMMAND"] | None = None,
     fmu: FilePath | None = None,
     map: FilePath | None = None,
     log: FilePath | None = None,

@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.contract.quantities import RPM
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import names_in
-from mahovik.out.arguments import FileGiven, Names, StandGiven, Turning, command, state_of
+from mahovik.out.arguments import FileGiven, Names, StandGiven, Turning, command
 from mahovik.out.notices import rest_to_start
 from mahovik.out.plots import Line, Panel, stems
 from mahovik.out.result import Result, column, columns_of
@@ -17,6 +17,7 @@ from mahovik.out.result import Result, column, columns_of
 if TYPE_CHECKING:
     from mahovik.core.stand.model import State
     from mahovik.out.api.stands import Stand
+    from mahovik.out.api.states import States
     from mahovik.use.vibration.plant import Campbell
 
 STATE_KEYS = ("id", "position", "angles", "quaternion", "V", "u", "phi", "phi_dot", "phi_ddot", "wrench")
@@ -27,7 +28,7 @@ STATE_KEYS = ("id", "position", "angles", "quaternion", "V", "u", "phi", "phi_do
 def modes(
     stand: StandGiven,
     *,
-    start: FileGiven = "rest",
+    start: FileGiven | States = "rest",
     flywheels: Literal["locked", "free"] = "locked",
     at: Names | None = None,
     speed: Turning | None = None,
@@ -123,6 +124,7 @@ def modes(
 
 def _nominal(stand: Stand, start: Any) -> State:
     """The state to linearise about. Raises UsageError, CheckError."""
+    from mahovik.out.api.states import state_of
     from mahovik.use.simulate.held import allowed_start
 
     if not isinstance(start, str) or start != "rest":

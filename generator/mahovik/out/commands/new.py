@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from mahovik import stands
 from mahovik.contract.evaluation import STATE, ZEROS, text_lines
 from mahovik.core.stand.fields import stand_name_problem
+from mahovik.core.stand.files import words_of_file
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import names_in
-from mahovik.out.arguments import FilePath, Names, Progressing, Text, Vector, command, kind_of, vector
+from mahovik.out.arguments import FilePath, Names, Progressing, Text, Vector, command, vector
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
 from mahovik.writing import format_of, is_written_through, write, write_all
@@ -28,15 +29,13 @@ OF_FILE = ("carrier", "instruments", "gravity", "armature", "fix")
 ADAPTER = "adapter"
 """What `new` writes that is no stand."""
 
-Source = Annotated[str, "NAME|FILE"]
-
 
 @command(
     needs={"source=*.urdf or source=*.xml or source=*.mjcf or source=*.sdf": OF_FILE},
     excludes={"list": ("source", "output", "name", *OF_FILE)},
 )
 def new(
-    source: Source | None = None,
+    source: Annotated[str, "NAME|FILE"] | None = None,
     *,
     output: FilePath | None = None,
     name: Text | None = None,
@@ -94,7 +93,7 @@ def new(
         return _write_stand(made, comparison, place)
     if Path(source).is_file():
         words = "a URDF, an MJCF or an SDF (.urdf, .xml, .sdf), or the name of an example"
-        raise UsageError(f"{source}: is {kind_of(source) or 'a file'}, expected {words}")
+        raise UsageError(f"{source}: is {words_of_file(Path(source)) or 'a file'}, expected {words}")
     return _example(source, place, name)
 
 

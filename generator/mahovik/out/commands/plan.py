@@ -34,9 +34,6 @@ if TYPE_CHECKING:
     from mahovik.out.api.stands import Stand
     from mahovik.use.plan.outcome import Plan
 
-Method = Literal["fourier", "ocp"]
-Paths = Annotated[str | Sequence[str], "KEYS"]
-
 _FIGURES = (
     "residual", "simulation_error", "objective", "least_singular_value", "det_I_sign_changes", "duration",
     "least_duration", "strayed",
@@ -52,9 +49,9 @@ def plan(
     stand: StandGiven,
     *,
     motion: FileGiven,
-    free: Paths = (),
+    free: Annotated[str | Sequence[str], "KEYS"] = (),
     stand_: FilePath | None = None,
-    method: Method = "fourier",
+    method: Literal["fourier", "ocp"] = "fourier",
     time: Seconds | None = None,
     seed: int = 0,
     output: FilePath | None = None,

@@ -22,8 +22,8 @@ from mahovik.out.arguments import (
     quantity,
     regime_of,
     servo_of,
-    state_of,
     time,
+    time_limit,
 )
 from mahovik.out.notices import Progress, notify, rest_to_start, warn, warn_of_steps
 from mahovik.out.result import Column, Result, column, split_unit
@@ -32,10 +32,9 @@ if TYPE_CHECKING:
     from mahovik.core.motion.regime import Regime
     from mahovik.core.stand.model import State
     from mahovik.out.api.stands import Stand
+    from mahovik.out.api.states import States
     from mahovik.use.control.loop import Case as Following
     from mahovik.use.control.loop import Errors
-
-Share = Annotated[float | str, "PERCENT"]
 
 OF_REGIME = ("until", "regime", "start", "every", "mounts", "backend")
 OF_C = ("dt", "order", "real", "carried")
@@ -49,7 +48,7 @@ def simulate(
     *,
     until: Seconds | None = None,
     regime: FileGiven | None = None,
-    start: FileGiven | None = None,
+    start: FileGiven | States | None = None,
     dt: Seconds = "0.1 ms",
     every: Seconds = "1 ms",
     order: Literal[4, 2] = 4,
@@ -60,7 +59,7 @@ def simulate(
     programme: FileGiven | None = None,
     motion: FileGiven | None = None,
     servo: FilePath | None = None,
-    mismatch: Share = "0%",
+    mismatch: Annotated[float | str, "PERCENT"] = "0%",
     seed: int = 1,
     periods: int | None = None,
     begin: Literal["settled", "programme", "rest"] | None = None,
@@ -111,13 +110,13 @@ def simulate(
             name, file = ("motion", "required motion") if motion is None else ("servo", "servos")
             raise UsageError(f"{name}: missing, expected the file with the {file} of the programme")
         return _follow(model, programme, motion, servo, mismatch, seed, periods, begin, table, progress)
-    if until is None:
-        raise UsageError("until: missing, expected a time, s or with a unit")
     from mahovik.use.simulate.case import Case
     from mahovik.use.simulate.held import long_steps
     from mahovik.use.simulate.run import simulate as run
 
-    end = time("until", until)
+    end = time_limit("until", until)
+    if end is None:
+        raise UsageError("until: missing, expected a time, s or with a unit")
     chosen, state = _beginning(model, regime, start, end)
     case = Case(model, chosen, state, end, time("every", every), time("dt", dt), order, real, carried)
     warn_of_steps(case)
@@ -158,11 +157,10 @@ def _result(
 def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Regime, State]:
     """The regime, and the initial state. Raises RegimeError, UsageError, CheckError."""
     from mahovik.core.motion.regime import steady_regime
+    from mahovik.out.api.states import state_of
     from mahovik.use.simulate.case import HINT, START_KEYS
     from mahovik.use.simulate.held import allowed_start
 
-    if not (math.isfinite(until) and until > 0.0):
-        raise UsageError(f"until {until:g}: expected a time above 0, in s")
     first = None if start is None else state_of("start", start, stand, START_KEYS, HINT)
     chosen = None if regime is None else regime_of(regime, stand, until)
     if first is not None:

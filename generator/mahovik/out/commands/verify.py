@@ -52,8 +52,6 @@ CHECK_COLUMNS = (
 WAYS = ("targets", "cost", "judges", "rigorous")
 """Verifications of the C of their own."""
 
-Subject = Annotated[FilePath, "FOLDER|PROGRAMME.json|LOG"]
-
 
 @command(
     needs={
@@ -69,7 +67,7 @@ Subject = Annotated[FilePath, "FOLDER|PROGRAMME.json|LOG"]
 )
 def verify(
     stand: StandGiven,
-    subject: Subject | None = None,
+    subject: Annotated[FilePath, "FOLDER|PROGRAMME.json|LOG"] | None = None,
     *,
     motion: FileGiven | None = None,
     programme: FileGiven | None = None,
@@ -348,6 +346,7 @@ def report_result(
         write(Path(worst), lines)
         messages.append(f"worst states: {worst}")
     checks = Result("", columns_of(report.rows, dict.fromkeys(CHECK_COLUMNS, "")), whole=True)
+    hidden = ("states",) if not everything else () if checks.count else CHECK_COLUMNS
     short, absent = _shortest(report.rows)
     if not everything and absent:
         text = f"not compared, all=True says why: {', '.join(dict.fromkeys(absent))}"
@@ -355,12 +354,12 @@ def report_result(
     return Result(
         f"{report.judged} of {report.stand}   structure {report.structure}, physics {report.physics}"
         + ("" if report.seed is None else f"   seed {report.seed}"),
-        _short_columns(short, by) if not everything else checks.columns if checks.count else (),
+        checks.columns if everything else _short_columns(short, by),
         rows="rows" if everything else "nearest",
         meta=about | {"rows": checks} | dict(more or {}),
         messages=messages,
         ok=report.passed,
-        details=(*about, "rows", *(() if everything else ("states",)), *(more or {})),
+        details=(*about, "rows", *hidden, *(more or {})),
         drawings=[_shares(report.rows)] if any(row.limit for row in report.rows) else [],
     )
 

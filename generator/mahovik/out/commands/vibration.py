@@ -14,14 +14,14 @@ from mahovik.errors import UsageError, whole_number
 from mahovik.out.arguments import (
     Band,
     FilePath,
+    Number,
     Phases,
     Progressing,
+    Range,
     Seconds,
     StandGiven,
     Turning,
     Vector,
-    by_flywheel,
-    by_name,
     command,
     reading,
     time_limit,
@@ -31,6 +31,7 @@ from mahovik.out.notices import Progress, notify, warn_of_speeds, warn_of_turn
 from mahovik.out.plots import ARCSEC, Line, Panel, stems
 from mahovik.out.result import Column, Result, column, quantity_text
 from mahovik.use.vibration.lines import MAKER, in_band, read_band, read_requirements, size_of
+from mahovik.use.vibration.speeds import by_name, read_limits, read_phases, read_speeds
 
 if TYPE_CHECKING:
     from mahovik.out.api.stands import Stand
@@ -71,8 +72,8 @@ def vibration(
     require: Annotated[str | Sequence[str], "LIMIT"] = (),
     improve: bool = False,
     momentum: Vector | None = None,
-    limit: Annotated[float | str, "SPEED|LOW..HIGH"] | None = None,
-    avoid: Annotated[str | Sequence[str], "F|LOW..HIGH|modes"] = (),
+    limit: Annotated[Number | Range, "SPEED|LOW..HIGH"] | None = None,
+    avoid: Annotated[str | Sequence[str | Range], "F|LOW..HIGH|modes"] = (),
     seed: int = 0,
     time: Seconds | None = None,
     progress: Progressing = None,
@@ -117,7 +118,6 @@ def vibration(
     from mahovik.out.api.stands import Stand
     from mahovik.use.vibration.chain import Makers
     from mahovik.use.vibration.maker import read_harmonics, read_inner_modes, read_noise, read_structure
-    from mahovik.use.vibration.speeds import read_speeds
     from mahovik.use.vibration.study import vibration as find
 
     machine = Stand.of(stand)
@@ -139,7 +139,7 @@ def vibration(
             raise UsageError(f"{name}: needs a range of speeds, speed=NAME=LOW..HIGH")
     _warn_of_speeds(machine, speed, plan)
     go_on = _clock(time, progress)
-    phases = by_flywheel("phase", phase, machine)
+    phases = read_phases("phase", machine, phase)
     bands = [within, *(requirement.band for requirement in limits)]
     result = find(machine, plan, seen, steps=steps, phases=phases, makers=makers, bands=bands, go_on=go_on)
     warn_of_turn(machine)
@@ -170,17 +170,15 @@ def _tables(
     stand: Stand, name: str, tables: Mapping[str, str | Path] | None, read: Callable[[Path], Any]
 ) -> dict[str, Any]:
     """Tables by flywheel. Raises UsageError, TableError."""
-    paths = by_name(name, tables or {}, stand)
+    paths = by_name(name, stand, tables or {})
     made = {path: reading("table", Path(path), read) for path in dict.fromkeys(paths.values())}
     return {wheel: made[path] for wheel, path in paths.items()}
 
 
 def _warn_of_speeds(stand: Stand, asked: Asked, plan: Any) -> None:
     """Warn of speeds beyond those of the motors, and of fast ones without a unit."""
-    from mahovik.use.vibration.speeds import by_name as asked_by_name
-
     fastest = np.abs(plan.rows(np.array(plan.sweep or (0.0,)))).max(axis=0)
-    texts = asked_by_name(plan.names, asked)
+    texts = by_name("speed", stand, asked)
     warn_of_speeds(stand, fastest.tolist(), [str(texts.get(name, "")) for name in plan.names])
 
 
@@ -201,7 +199,6 @@ def _improve(
 ) -> tuple[dict[str, Any], list[str]]:
     """`improved`, of which before and after are of the whole equations, and messages. Raises UsageError, CheckError."""
     from mahovik.use.vibration.improve import Freedom, avoided_bands, improve_vibration
-    from mahovik.use.vibration.speeds import read_limits
 
     wanted = None if momentum is None else vector("momentum", momentum, 'in N m s, as "0 0 14"')
     whole_number("seed", seed, 0)

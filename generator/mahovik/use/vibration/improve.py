@@ -274,11 +274,11 @@ def improve_vibration(
     return Improved(speeds, phases, before, now)
 
 
-def avoided_bands(vibration: Vibration, avoid: str | Sequence[str]) -> list[Band]:
+def avoided_bands(vibration: Vibration, avoid: str | Sequence[str | Sequence[float | str]]) -> list[Band]:
     """Bands (Hz) to be avoided: ranges as they are, 10 % to both sides of frequencies. Raises UsageError."""
     bands = []
     for text in [avoid] if isinstance(avoid, str) else avoid:
-        if ".." in text:
+        if not isinstance(text, str) or ".." in text:
             bands.append(read_band("avoid", text))
             continue
         single = [read_frequency("avoid", text)] if text != "modes" else []

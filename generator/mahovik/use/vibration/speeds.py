@@ -7,13 +7,15 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from numbers import Real
+from typing import Any
 
 import numpy as np
 
 from mahovik.core.motion.laws import MAX_SPEED
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.numbers import in_si
-from mahovik.core.stand.units import SPEED, QuantityError
+from mahovik.core.stand.units import ANGLE, SPEED, Dimension, QuantityError
 from mahovik.errors import UsageError, whole_number
 from mahovik.nearest import suggestion
 from mahovik.use.numeric.se3 import Array
@@ -56,7 +58,9 @@ def common_period(speeds: Sequence[float]) -> Turning | None:
 ALL = "all"
 """Name that stands for every flywheel."""
 
-Asked = Mapping[str, float | str] | Sequence[float | str] | float | str
+Speed = float | str | Sequence[float | str]
+"""A speed, LOW..HIGH or both ends, or [FACTOR*]OTHER."""
+Asked = Mapping[str, Speed] | Sequence[Speed] | float | str
 """Speeds by flywheel, one for each, or one for all."""
 
 
@@ -122,13 +126,16 @@ def read_speeds(stand: Stand, asked: Asked) -> SpeedPlan:
     names = [s.name for s in stand.flywheels]
     if not names:
         raise UsageError(f"speed: {stand.name} has no flywheel")
-    texts = {name: text.strip() if isinstance(text, str) else text for name, text in by_name(names, asked).items()}
+    speeds = by_name("speed", stand, asked, f"NAME=SPEED or NAME=LOW..HIGH, as {names[0]}=0..6000rpm")
+    if not speeds:
+        raise UsageError("speed: is empty, expected that of a flywheel, as w1=6000rpm, or of all")
+    texts = {name: text.strip() if isinstance(text, str) else text for name, text in speeds.items()}
     constant, factor = dict.fromkeys(names, 0.0), dict.fromkeys(names, 0.0)
     sweep: tuple[float, float] | None = None
     swept: str | None = None
     geared: dict[str, tuple[float, str]] = {}
     for name, text in texts.items():
-        if isinstance(text, str) and ".." in text:
+        if _is_range(text):
             interval = _range(f"speed {name}=", text)
             if sweep not in (None, interval):
                 raise UsageError(f"speed {name}={text}: one can be swept; gear this one to it, as {name}=1.5*{swept}")
@@ -158,9 +165,13 @@ def read_speeds(stand: Stand, asked: Asked) -> SpeedPlan:
     return plan
 
 
-def by_name(names: Sequence[str], asked: Asked) -> dict[str, float | str]:
-    """The speed of each flywheel that is named, as it is asked for. Raises UsageError."""
-    if isinstance(asked, int | float) or (isinstance(asked, str) and not ("=" in asked or _GEAR.fullmatch(asked))):
+def by_name(argument: str, stand: Stand, asked: Any, expected: str = "NAME=VALUE, or one for each") -> dict[str, Any]:
+    """What is asked of flywheels: one for all, one for each, or by name, as a mapping or texts NAME=VALUE.
+
+    The name `all` is every flywheel; one named beside it has its own. Raises UsageError.
+    """
+    names = [s.name for s in stand.flywheels]
+    if isinstance(asked, Real) or (isinstance(asked, str) and not ("=" in asked or _GEAR.fullmatch(asked))):
         return dict.fromkeys(names, asked)
     listed = [asked] if isinstance(asked, str) else list(asked)
     alone = [entry for entry in listed if not (isinstance(entry, str) and "=" in entry)]
@@ -171,55 +182,72 @@ def by_name(names: Sequence[str], asked: Asked) -> dict[str, float | str]:
     elif len(alone) == len(listed) == len(names):
         pairs = list(zip(names, listed, strict=True))
     else:
-        several = f": {len(listed)} speeds, but the stand has {len(names)} flywheels;"
-        where = several if alone == listed and len(listed) > 1 else f" {alone[0]}:"
-        raise UsageError(f"speed{where} expected NAME=SPEED or NAME=LOW..HIGH, as {names[0]}=0..6000rpm")
-    if not pairs:
-        raise UsageError("speed: is empty, expected that of a flywheel, as w1=6000rpm, or of all")
-    result: dict[str, float | str] = {}
+        several = f": {len(listed)} {argument}s, but the stand has {len(names)} flywheels;"
+        where = several if len(alone) == len(listed) > 1 else f" {alone[0]}:"
+        raise UsageError(f"{argument}{where} expected {expected}")
+    result: dict[str, Any] = {}
     for name, text in sorted(pairs, key=lambda pair: pair[0] != ALL):
+        where = f"{argument} {name}={_asked_text(text)}"
         if name != ALL and name not in names:
-            near = suggestion(name, [*names, ALL])
-            raise UsageError(f'speed {name}={_asked_text(text)}: unknown flywheel "{name}"{near}')
+            raise UsageError(f'{where}: unknown flywheel "{name}"{suggestion(name, [*names, ALL])}')
         if [known for known, _ in pairs].count(name) > 1:
-            raise UsageError(f'speed {name}={_asked_text(text)}: flywheel "{name}" has a speed already')
+            raise UsageError(f'{where}: flywheel "{name}" has a {argument} already')
         result |= dict.fromkeys(names if name == ALL else [name], text)
     return result
 
 
-def read_limits(limit: float | str | None) -> tuple[float | None, float | None]:
+def read_phases(argument: str, stand: Stand, asked: Any) -> list[float]:
+    """Phases of the flywheels, rad, as they are asked for; of those without one 0. Raises UsageError."""
+    phases = {} if asked is None else by_name(argument, stand, asked)
+    where = f"{argument} " + "{}=" * (not isinstance(asked, str) or "=" in asked)
+    return [_si(where.format(s.name), phases.get(s.name, 0.0), ANGLE, "90 deg") for s in stand.flywheels]
+
+
+def read_limits(limit: Speed | None) -> tuple[float | None, float | None]:
     """Lowest and highest speed, rad/s, of LOW..HIGH or of the highest alone; None: not given. Raises UsageError."""
     if limit is None:
         return None, None
-    low, high = _range("limit ", limit) if isinstance(limit, str) and ".." in limit else (None, _speed("limit ", limit))
+    low, high = _range("limit ", limit) if _is_range(limit) else (None, _speed("limit ", limit))
     if high < (low or 0.0) or (low or 0.0) < 0.0:
         raise UsageError(f"limit {_asked_text(limit)}: expected a speed, or a range of them, from zero up")
     return low, high
 
 
-def _range(where: str, text: str) -> tuple[float, float]:
-    """The ends of LOW..HIGH, of which the first may leave its unit to the second."""
-    first, _, last = text.partition("..")
-    high = _speed(where, last)
-    unit = re.sub(r"^\s*[-+]?[\d.]+([eE][-+]?\d+)?", "", last)
-    low = _speed(where, first + unit if re.fullmatch(r"\s*[-+\d.eE]+\s*", first) else first)
+def _is_range(asked: Any) -> bool:
+    return ".." in asked if isinstance(asked, str) else not isinstance(asked, Real)
+
+
+def _range(where: str, asked: Any) -> tuple[float, float]:
+    """The ends of LOW..HIGH, of which the first may leave its unit to the second, or of a pair."""
+    ends = asked.split("..", 1) if isinstance(asked, str) else list(asked)
+    if len(ends) != 2:
+        raise UsageError(f"{where.rstrip(' =')}: {len(ends)} numbers, expected one speed, or two of a range")
+    if isinstance(asked, str) and re.fullmatch(r"\s*[-+\d.eE]+\s*", ends[0]):
+        ends[0] += re.sub(r"^\s*[-+]?[\d.]+([eE][-+]?\d+)?", "", ends[1])
+    high, low = (_speed(where, end) for end in reversed(ends))
     if not low < high:
-        raise UsageError(f"{where}{text}: expected a range from the lower speed to the higher")
+        raise UsageError(f"{where}{asked}: expected a range from the lower speed to the higher")
     return low, high
 
 
-def _asked_text(asked: float | str) -> str:
-    return asked if isinstance(asked, str) else f"{asked:g}"
+def _asked_text(asked: Any) -> str:
+    return f"{asked:g}" if isinstance(asked, Real) else str(asked)
 
 
-def _speed(where: str, text: float | str) -> float:
+def _speed(where: str, text: Any) -> float:
+    return _si(where, text, SPEED, "1000 rpm")
+
+
+def _si(where: str, text: Any, dimension: Dimension, example: str) -> float:
+    """A finite number in SI of a text that stands behind `where` in messages."""
     try:
-        speed = in_si(text, SPEED)
+        number = in_si(text, dimension)
     except QuantityError as error:
         raise UsageError(f"{where}{text}: {error}") from None
-    if not math.isfinite(speed):
-        raise UsageError(f"{where}{text}: expected a finite speed, as {where.removeprefix('speed ')}1000 rpm")
-    return speed
+    if not math.isfinite(number):
+        words = f"{dimension.words.partition(' ')[2]}, as {where.partition(' ')[2]}{example}"
+        raise UsageError(f"{where}{text}: expected a finite {words}")
+    return number
 
 
 def _number(name: str, text: str) -> float:
