@@ -92,7 +92,7 @@ class Rig:
         J, c, m = np.array(table["inertia"], dtype=float), np.array(table["center_of_mass"]), table["mass"]
         if self.fault == "products" and name == "carrier":
             J = 2 * np.diag(np.diag(J)) - J
-        if self.fault == "about":
+        if self.fault == "about" or (self.fault == "spin and about" and name == "carrier"):
             J = J - m * (c @ c * np.eye(3) - np.outer(c, c))
         return Part(name, place, axes, m, c, J, rotor)
 
@@ -145,7 +145,7 @@ class Rig:
             force = k.mass * (acceleration - g)
             moment = J @ turning + (-1 if fault == "gyroscopic" and s >= 0 else 1) * np.cross(Omega, J @ Omega)
             arm = np.cross(r, k.mass * acceleration) + moment
-            if fault in ("spin", "spin and drag") and s >= 0:
+            if fault in ("spin", "spin and drag", "spin and about") and s >= 0:
                 arm = arm - 2 * np.cross(w, (J + k.mass * (r @ r * np.eye(3) - np.outer(r, r))) @ spin)
             if fault == "spin and drag" and s >= 0:
                 arm = arm + DRAG * speed[s] ** 3 * e

@@ -179,6 +179,16 @@ def test_the_right_program_has_no_fault() -> None:
     assert diagnosis_of(Rig(tomllib.loads(TEXT))).verdict == "none"
 
 
+def test_a_wrong_term_beside_a_wrong_reading_is_named() -> None:
+    file = FOLDER / "rig.toml"
+    command = f"{sys.executable} {FOLDER / 'rig.py'} {file} 'spin and about'"
+    result = mahovik.judge(file, with_=command, explain=True, states=20, want="forward")
+    reading, term = result["diagnosis"]["found"]
+    assert result["diagnosis"]["verdict"] == "named"
+    assert reading["fault"].startswith("inertia taken about the origin though it is about the centre of mass")
+    assert (term["term"], term["factor"]) == ("phi_dot omega x J_O e", -1.0)
+
+
 def test_the_command_names_a_number(tmp_path: Path) -> None:
     """The program is a process that speaks JSON; the number is right to the digits that it prints; JUnit has it too."""
     wrong = tmp_path / "wrong.toml"

@@ -17,7 +17,7 @@ from typing import Any, Literal, TypeVar
 
 import numpy as np
 
-from mahovik.core.stand.model import Flywheel, MountingAxes, Stand, State
+from mahovik.core.stand.model import Flywheel, MountingAxes, Stand, State, rest_state
 from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.core.stand.stand_file import read
 from mahovik.errors import MahovikError, StandError, UsageError
@@ -85,6 +85,11 @@ class Reading:
     def words(self) -> str:
         """The name, with the body that it is of alone."""
         return f"{self.name} ({self.only} alone)" if self.only else self.name
+
+    def of_bodies(self, stand: Stand) -> Stand | None:
+        """The stand with its bodies as this reading has them; None where it is no reading of bodies alone."""
+        state = rest_state(stand)
+        return self._changed(At(stand, state), self._names(stand))[0] if self.place == "body" else None
 
     def model(self, stand: Stand) -> Model:
         """The right equations with this reading."""

@@ -92,8 +92,8 @@ class Diagnosis:
 
     @property
     def by_terms(self) -> bool:
-        """Whether its causes are wrong terms."""
-        return self.terms is not None and self.terms.whole and not self.causes
+        """Whether its causes are wrong terms, beside a reading of bodies if there is one."""
+        return self.terms is not None and self.terms.whole and (not self.causes or self.verdict == "named")
 
     @property
     def not_looked_at(self) -> tuple[str, ...]:
@@ -344,6 +344,7 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
         else:
             lines.append("no diagnosis: there is no answer in which causes are looked for")
     elif diagnosis.by_terms and result is not None:
+        lines += [f"{line}; and of what it leaves of the error:" for line in _cause_lines(diagnosis.causes, "")[:1]]
         lines += _term_lines(result, diagnosis.not_looked_at, rounding)
         lines += [f"the error of {want} is not a few terms: nothing of it is named" for want in result.besides]
     elif diagnosis.verdict == "named":
@@ -374,7 +375,8 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
     """The diagnosis for `--json`."""
     precision, causes = diagnosis.precision, list[dict[str, Any]]()
     if diagnosis.by_terms and diagnosis.terms is not None:
-        causes = [{key: getattr(term, key) for key in TERM_KEYS} for term in diagnosis.terms.terms]
+        causes = [{"fault": cause.name} for cause in diagnosis.causes]
+        causes += [{key: getattr(term, key) for key in TERM_KEYS} for term in diagnosis.terms.terms]
     elif diagnosis.verdict in ("named", "approximate"):
         share = (1.0 - diagnosis.unexplained) / max(len(diagnosis.causes), 1)
         causes = [_cause(cause, share) for cause in diagnosis.causes]
@@ -527,9 +529,22 @@ def diagnose_fault(stand: Stand, document: Mapping[str, Any], judged: Judged, se
         return diagnosed
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count_products(stand))
-    terms = TermSearch(stand, seed, offered, states, precision, program, diagnosed.wrong)
+
+    def terms_beside(right: Stand) -> TermSearchResult:
+        """Wrong terms beside what is right."""
+        search = TermSearch(right, seed, offered, states, precision, program, diagnosed.wrong)
+        return search.find(judged.answers(search.requests))
+
     try:
-        return diagnosed.with_terms(terms.find(judged.answers(terms.requests)))
+        with_terms = diagnosed.with_terms(terms_beside(stand))
+        nearest = next(
+            (x for x in readings_of(stand) if [x.words] == [cause.name for cause in with_terms.causes]), None
+        )
+        read = None if nearest is None else nearest.of_bodies(stand)
+        if with_terms.verdict == "named" or read is None:
+            return with_terms
+        both = replace(diagnosed, causes=()).with_terms(terms_beside(read))
+        return replace(both, causes=with_terms.causes) if both.verdict == "named" else with_terms
     except CheckError as error:
         if not (diagnosed.missing or diagnosed.causes):
             raise
