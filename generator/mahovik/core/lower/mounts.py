@@ -6,7 +6,7 @@ from typing import Any
 
 from mahovik.core.formula.derived import carrying as derived
 from mahovik.core.formula.derived import formula
-from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, relative_rate, scene
+from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, scene
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.wrenches import flywheel_wrenches
 from mahovik.core.program.expression import Status
@@ -112,14 +112,13 @@ def add_mounts(lib: Library) -> None:
         check_inputs(lib, table, x, phi_ddot, wrench)
         lib["within"](V_dot, 6, lib.limit("MAX_ACCELERATION"))
         seen = scene(lib, table, x)
-        moving = relative_rate(x, V_dot, seen.stream)
         flywheel_wrenches(lib, table, x, seen, wrench)
         W = reals(6)
         sine, cosine = seen.turns
         for s in range(layout.count):
             W[:] = [0 if seen.own is None else -seen.own[s * 6 + k] for k in range(6)]
             lib["mount_wrench"](
-                mounting.flywheel[s], sine[s], cosine[s], x.phi_dot[s], phi_ddot[s], seen.V, moving, seen.g, W
+                mounting.flywheel[s], sine[s], cosine[s], x.phi_dot[s], phi_ddot[s], x.V, V_dot, seen.g, W
             )
             for j in range(6):
                 mount_wrench[s * 6 + j] = W[j]
