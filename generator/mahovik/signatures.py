@@ -22,7 +22,7 @@ from mahovik.errors import UsageError
 
 Rules = Mapping[str, Sequence[str]]
 Kinds = Mapping[str, tuple[str, list[Any]]]
-"""By argument: the name of the value that it expects ("" without one) and the types that are taken beside None."""
+"""What each argument takes: a word for its value, as "speed" or "" for none, and its types beside None."""
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 

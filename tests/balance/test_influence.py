@@ -101,7 +101,7 @@ def test_amplitudes_that_contradict_one_another_fail() -> None:
 
 
 def test_what_noise_leaves_is_what_is_said_to_be_left() -> None:
-    """Of 200 rotors without phase three in ten are left with more, one in six with twice as much."""
+    """200 rotors with noise are balanced without phase: few vibrate more than is said, and fewer twice as much."""
     rng = np.random.default_rng(1)
     U, beyond, off = 4.0 * np.exp(2j * np.pi * np.arange(3) / 3), [], []
     for _ in range(200):

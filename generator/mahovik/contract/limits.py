@@ -67,9 +67,9 @@ a run-up. DRIFT: how often larger the drift of a floating carrier in a period ma
 as a constant residual of it moves the carrier (2 pi)^2 / 2 amplitudes."""
 
 TABLE, JOINT, EXCEEDED = 0.03, 1e-6, 1 + 1e-9
-"""Of the table of a programme: largest difference of a row of phi', phi'' from what its neighbours predict, and largest
-jump where two courses meet, as shares of the peaks (of phi in rad). EXCEEDED: how often its bound a value may be, which
-leaves room for the rounding of the program that kept the bound."""
+"""Limits of the table of a programme. TABLE: difference of a row of phi', phi'' from what its neighbours predict, as a
+share of the peak. JOINT: jump where two courses meet, likewise, of phi in rad. EXCEEDED: value over bound, which leaves
+room for the rounding of the program that kept the bound."""
 
 BEGIN, END, ALONG = 1e-9, 1.0, 1e-6
 """Largest errors of a slew: at its start (m, rad, s); at its end from the demanded attitude or line of sight (arcsec);

@@ -110,7 +110,7 @@ class Column(NamedTuple):
         ]
 
     def real(self) -> list[Column]:
-        """Of complex numbers the halves of each part, `shape x.real`, `shape x.imag`; of others itself."""
+        """Columns of real numbers: for complex ones two a part, `shape x.real` and `shape x.imag`; else this column."""
         if self.values.dtype.kind != "c":
             return [self]
         pairs = product(self.flat(), ("real", "imag"))

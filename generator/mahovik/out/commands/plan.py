@@ -39,7 +39,7 @@ _FIGURES = (
     "least_duration", "strayed",
 )  # fmt: skip
 FORMATS = (".json", ".csv", ".parquet", ".svg", ".png")
-"""Of the programme, then of its figures."""
+"""Ends of names that `output` may have: .json takes the programme, the others its figures."""
 
 _UNITS = {"duration": "s", "least_duration": "s", "strayed": "m"}
 

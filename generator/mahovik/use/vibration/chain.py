@@ -433,9 +433,9 @@ def _lowest(motion: Steady, groups: Sequence[Whole]) -> list[Whole]:
 
 
 def combinations(turns: Sequence[int], most: int) -> dict[int, Whole]:
-    """By n, up to `most` and of either sign: whole numbers k (N) of least sum |k_s| with k . turns = n.
+    """The smallest combination of the wheels' turns that gives each n from -most to most, by n.
 
-    `turns` of the wheels have no common divisor.
+    That is whole numbers k (N) with k . turns = n and the least sum |k_s|. `turns` have no common divisor.
     """
     reach, zero = most + max(map(abs, turns), default=0), np.zeros(len(turns), dtype=np.int64)
     steps = dict[int, Whole]()
