@@ -16,6 +16,7 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.program.types import Precision
 from mahovik.core.routines import atan2, exponential, sincos, square_root
+from mahovik.core.routines.real_constants import rounder
 from toolchain.tools import require
 
 FLAGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wfloat-equal", "-Wshadow", "-Werror")
@@ -25,6 +26,7 @@ ALONE = ("-nostdlib", "-Wl,--no-undefined")
 HEAD = """
 #include <stdint.h>
 typedef {real} t_real;
+#define T_ROUNDER ((t_real){rounder!r})
 typedef uint{width}_t t_word;
 typedef union {{ t_real real; t_word word; }} t_both;
 static t_word t_bits_of(t_real value) {{ t_both both; both.real = value; return both.word; }}
@@ -54,7 +56,7 @@ def source(precision: Precision) -> str:
     """C text of the routines."""
     names = Names("t")
     statements = Statements(names, Expressions(names, precision))
-    kinds = {"real": precision.name, "width": precision.width}
+    kinds = {"real": precision.name, "width": precision.width, "rounder": float(rounder(precision))}
     parts = [HEAD.format(**kinds)]
     for make in (sincos, square_root, atan2, exponential):
         function = make(precision)
