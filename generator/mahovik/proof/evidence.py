@@ -227,12 +227,12 @@ def _check_misra(subject: Subject) -> str:
     return f"cd c && {shlex.join(CPPCHECK)} {subject.stand.name}.c 2>../findings.txt && ! {unlisted} && {figure}"
 
 
-_QUICK_DRIVERS = ("any_wrap", "any_forward", "any_torque", "normal_prepare", "routine_sincos", "routine_sqrt")
+_QUICK_DRIVERS = ("any_forward", "any_torque", "normal_prepare", "routine_sqrt")
 _UNCLAIMED = ", ".join(f"`{row.name}`" for row in ROWS.values() if not row.claimed)
 
 
 def _eva_command(subject: Subject) -> str:
-    every = drivers(generate_all(subject.stand, subject.real).program)
+    every = drivers(generate_all(subject.stand, subject.real, ()).program)
     claimed = [f"{driver.set}_{driver.function}" for driver in every if driver.claimed]
     chosen = "" if subject.full else "".join(f" {name}" for name in claimed if name in _QUICK_DRIVERS)
     limit = 1800 if subject.full else 300  # s a driver may take

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from mahovik.contract.quantities import BOUNDS, SINGULAR_BELOW
 from mahovik.core.program.expression import Const, Expr, and_
 from mahovik.core.program.types import Kind, NamedNumber, Precision
-from mahovik.core.routines.real_constants import rounder, turns_a_radian
 
 
 @dataclass(frozen=True)
@@ -49,6 +48,8 @@ def unit_square(square: Expr) -> Expr:
 
 def constants(precision: Precision) -> tuple[NamedNumber, ...]:
     """Other constants that have a name in C: what decides, where numbers count as zero."""
+    from mahovik.core.routines.real_constants import rounder, turns_a_radian  # `check` needs no routines
+
     named = (*vars(thresholds(precision)).values(), rounder(precision), turns_a_radian(precision))
     return (precision.smallest, UNIT_SQUARE_MIN, UNIT_SQUARE_MAX, SINGULAR, *named)
 
