@@ -100,6 +100,8 @@ name = "motors"
 inverse_most = "200 rpm/s"
 carrier = { mass = 1, inertia = [1, 1, 1] }
 task.turn = { rows = ["wx"] }
+task.sight = { rows = [{ point = "telescope", rows = ["wy", "wz"] }, "vx"] }
+point = [{ name = "telescope", position = [0.1, 0, 0.2] }]
 """
 MOTORS += "".join(
     f'[[flywheel]]\nname = "w{k}"\nmass = 1\ninertia = [1, 1, 1]\nmotor = {{ {motor} }}\n{more}\n'
@@ -113,7 +115,7 @@ MOTORS += "".join(
 
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_default_options_are_those_of_the_file(real: str) -> None:
-    """Motors by limits and by a curve, and one that is nowhere limited; a number of each that is wrong fails."""
+    """Motors by limits and by a curve, one that is nowhere limited, rows of a point; a number that is wrong fails."""
     made, document, limits = generate_all(loads(MOTORS), real), tomllib.loads(MOTORS), LIMITS[real]
     options: Any = made.values.options
     largest = float(made.program.precision.largest)
@@ -121,6 +123,8 @@ def test_default_options_are_those_of_the_file(real: str) -> None:
     for name, value in options.items():
         wrong = options | {name: (np.array(value) * 0.9 + 0.01).tolist()}
         assert check_options(wrong, document, limits, largest).words.startswith(f"{name}:")
+    row = check_options({"use_sight": [1, 1]}, document, limits, largest)
+    assert row.words == "use_sight: shape [2], expected [3]"
 
 
 def test_text_that_differs_is_named_with_its_functions(tmp_path: Path) -> None:

@@ -235,8 +235,13 @@ def default_options(document: Table, largest: float, near_singular: float) -> di
         "target_speed": zero,
         "near_singular": np.array(near_singular),
         **{name: np.array(0.0) for name in ("damping", "target_rate", "avoid_speed", "keep_direction")},
-        **{f"use_{name}": np.ones(len(task["rows"])) for name, task in document.get("task", {}).items()},
+        **{f"use_{name}": np.ones(_count(task["rows"])) for name, task in document.get("task", {}).items()},
     }
+
+
+def _count(rows: Any) -> int:
+    """Components that the rows of a task demand: those of a point are a table with rows of its own."""
+    return sum(1 if isinstance(row, str) else len(row["rows"]) for row in rows)
 
 
 def _curve(raw: Any) -> list[list[float]]:

@@ -52,7 +52,11 @@ def check_file(stand: Stand, document: Table | None) -> Check:
 
     `document`: the file's tables; None of a stand that has no file.
     """
-    return _second_reading(Check("", FILE, limit=DOUBLE.value), document, lambda tables: differences(stand, tables))
+
+    def relative(tables: Table) -> dict[str, tuple[float, str]]:
+        return {name: (value, "") for name, value in differences(stand, tables).items()}
+
+    return _second_reading(Check("", FILE, limit=DOUBLE.value), document, relative)
 
 
 def check_options(options: Mapping[str, Any], document: Table | None, limits: Limits, largest: float) -> Check:
@@ -61,20 +65,23 @@ def check_options(options: Mapping[str, Any], document: Table | None, limits: Li
     `largest`: number of the element type that stands for no limit.
     """
 
-    def relative(tables: Table) -> dict[str, float]:
+    def relative(tables: Table) -> dict[str, tuple[float, str]]:
         expected = default_options(tables, largest, NEAR_SINGULAR[limits.real])
-        return {name: difference(value, expected[name], np.abs(expected[name]))[0] for name, value in options.items()}
+        return {name: difference(value, expected[name], np.abs(expected[name])) for name, value in options.items()}
 
     return _second_reading(Check("", OPTIONS, limit=limits.value), document, relative)
 
 
-def _second_reading(row: Check, document: Table | None, relative: Callable[[Table], Mapping[str, float]]) -> Check:
-    """The row with relative differences by name."""
+def _second_reading(
+    row: Check, document: Table | None, relative: Callable[[Table], Mapping[str, tuple[float, str]]]
+) -> Check:
+    """The row with relative differences by name, or why the values have none."""
     row.words = "the stand has no file"
     if document is not None:
         try:
-            for name, value in relative(document).items():
-                row.note(value, words=f"{name}: relative difference {value:.1e}" if value > row.limit else "")
+            for name, (value, why) in relative(document).items():
+                words = f"{name}: {why or f'relative difference {value:.1e}'}"
+                row.note(value, words=words if value > row.limit else "")
         except UnknownUnitError as error:
             row.words = f'the second reading does not know the unit "{error}"'
     return row
