@@ -176,6 +176,29 @@ def test_a_pattern_sets_all_that_it_matches() -> None:
     assert changed == held_stand().replace({**both, "other.position": [1e-3] * 3})
 
 
+def test_a_pattern_matches_bodies_first_and_no_tables() -> None:
+    """Points and parts of laws are matched where no body may have the key, tables without a name never."""
+    wing = {"name": "wing", "position": [0, 0, 1], "density": 1.2, "area": 0.1, "lift_slope": 3.0}
+    point = {"name": "where", "position": [1, 0, 0]}
+    leg = {"ground": [0, 0, -1], "carrier": [0, 0, 0], "length": 1}
+    stand = mahovik.Stand.from_dict({**HELD, "fin": [wing], "point": [point], "leg": [leg]})
+    numbers = StandNumbers(stand, stand.to_dict())
+    for pattern, names in {
+        "w*.unbalance.static": {"w1", "w2"}, "w*.position[0]": {"w1", "w2"}, "*.mass": {"carrier", "w1", "w2", "other"},
+        "w*.area": {"wing"}, "wh*.position[0]": {"where"},
+    }.items():  # fmt: skip
+        assert {number.body for number in numbers.find(pattern)} == names
+        before, after = stand.to_dict(), stand.replace({pattern: 1e-3}).to_dict()
+        rows = [[row for key in ("flywheel", "fin", "point") for row in keys[key]] for keys in (before, after)]
+        changed = {old["name"] for old, new in zip(*rows, strict=True) if old != new}
+        assert changed == names - {"carrier"}
+    with pytest.raises(UsageError, match="no name matches"):
+        numbers.find("s*.stiffness[2][2]")
+    for refused in (lambda: numbers.find("leg[1].length"), lambda: stand.replace({"leg[1].length": 2})):
+        with pytest.raises(UsageError, match="expected 0, the only place"):
+            refused()
+
+
 @pytest.mark.parametrize(
     ("path", "words"),
     [
@@ -184,7 +207,9 @@ def test_a_pattern_sets_all_that_it_matches() -> None:
         ("w1.position[", "is no path; expected names joined by dots"),
         ("v*.mass", 'no name matches "v'),
         ("w1.mass[0]", "mass"),
-        ("w*.mazz*", "matches no key"),
+        ("w*.mas", 'unknown key "mas" of w1, w2, did you mean "mass"'),
+        ("w1.mazz*", "matches no key"),
+        ("s*.stiffness", 'no name matches "s*"'),
     ],
 )
 def test_a_path_that_leads_nowhere_is_refused_in_a_line(path: str, words: str) -> None:

@@ -56,6 +56,7 @@ _IDLE = frozenset(("motor", "encoder", "inverse_weight", "inverse_most", "schema
 """Keys whose numbers are in no table of the C."""
 _SHEET = ("spin_inertia", "transverse_inertia", "unbalance")
 _BY_TENSOR = ("center_of_mass", "inertia")
+_BODIES = ("carrier", "instrument", "flywheel")
 
 
 def steps_of(path: str) -> Steps:
@@ -155,27 +156,49 @@ def ways_of(document: dict[str, Any], path: str) -> list[Way]:
     parts = [part for law in carrier_laws() if law.key == first for part in law.made_of if part in document]
     if parts and len(rest) > 1:
         raise UsageError(f"{path}: [[{parts[0]}]] make it: expected a number of one of them")
-    starts: dict[str, Way] = {key: () for key, value in document.items() if isinstance(value, dict)}
-    for key, items in document.items():
-        for i, item in enumerate(items if isinstance(items, list) else ()):
-            if isinstance(item, dict) and "name" in item:
-                starts[item["name"]] = (key, i)
-    if "*" in first:
-        names = [name for name in starts if fnmatchcase(name, first)]
-        if not names:
-            raise UsageError(f"{path}: no name matches {show(first)}{suggestion(first.strip('*'), starts)}")
-    elif first in starts or first in document or first in _VECTORS or not rest:
-        names = [first]
-    else:
+    starts: dict[str, Way] = {key: (key,) for key, value in document.items() if isinstance(value, dict)}
+    starts |= {name: way for name, (way, _) in _named(document).items()}
+    if "*" not in first and not (first in starts or first in document or first in _VECTORS or not rest):
         known = [*(key for key in document if key != "schema"), *starts]
         raise UsageError(f"{path}: {document.get('name', 'the stand')} has no {show(first)}{suggestion(first, known)}")
     ways: list[Way] = []
-    for name in names:
+    for name in names_of(document, path):
         start = starts.get(name, ())
         ways += _below(value_at(document, start), start, rest if start else [name, *rest], path)
     if not ways:
         raise UsageError(f"{path}: matches no key of {document.get('name', 'the stand')}")
     return ways
+
+
+def _named(document: Mapping[str, Any]) -> dict[str, tuple[Way, type[Table]]]:
+    """Ways to all tables that have a name, and their classes."""
+    named: dict[str, tuple[Way, type[Table]]] = {"carrier": (("carrier",), tables()["carrier"])}
+    for key, table in arrays().items():
+        items = document.get(key)
+        for i, item in enumerate(items if isinstance(items, list) else ()):
+            if isinstance(item, dict) and "name" in item:
+                named[item["name"]] = ((key, i), table)
+    return named
+
+
+def names_of(document: Mapping[str, Any], path: str) -> list[str]:
+    """What a path begins with, or the names that its pattern matches, of tables that may have the key after it.
+
+    These are bodies; where none may have it, points and parts of laws that have a name. Raises UsageError.
+    """
+    first, *rest = steps_of(path)
+    if "*" not in first:
+        return [first]
+    named = _named(document)
+    matching = {name: named[name] for name in named if fnmatchcase(name, first)}
+    if not matching:
+        raise UsageError(f"{path}: no name matches {show(first)}{suggestion(first.strip('*'), named)}")
+    known = {name: keys_of(table) for name, (_, table) in matching.items()}
+    names = [name for name in matching if not rest or any(fnmatchcase(key, rest[0]) for key in known[name])]
+    if not names:
+        keys = list(chain.from_iterable(known.values()))
+        raise UsageError(f"{path}: unknown key {show(rest[0])} of {', '.join(matching)}{suggestion(rest[0], keys)}")
+    return [name for name in names if matching[name][0][0] in _BODIES] or names
 
 
 def _below(place: Any, way: Way, steps: list[str], path: str) -> Iterator[Way]:
@@ -214,7 +237,12 @@ def _index(place: list[Any], step: str, path: str) -> int:
         return int(step)
     if names:
         raise UsageError(f"{path}: no {show(step)}{suggestion(step, names)}")
-    raise UsageError(f"{path}: {show(step)}, expected a place from 0 to {len(place) - 1}")
+    raise UsageError(f"{path}: {show(step)}, expected {_places(len(place))}")
+
+
+def _places(count: int) -> str:
+    """The places of a list with so many items, in words."""
+    return f"a place from 0 to {count - 1}" if count > 1 else "0, the only place" if count else "none, as it is empty"
 
 
 def _write_out(place: dict[str, Any], key: str, inside: list[str]) -> None:
@@ -318,9 +346,8 @@ class StandNumbers:
         """`document`: the keys of the file of `stand`, as `parse_toml` gives them; it is not changed."""
         self._stand, self._document = stand, document
         self._found: dict[Steps, StandNumber | str] = {}  # a text says why there is no number
-        self._written: set[Steps] = set()  # tables and keys that the file has, which `*` stands for
+        self._written: set[Steps] = set()  # keys that the file has, which `*` stands for
         for schema, raw, steps, way in tables_in(document):
-            self._written.add(steps[:1])
             self._add_table(schema, raw, steps, way)
         names = {steps[0] for steps in self._found}
         for header in headers():
@@ -338,8 +365,9 @@ class StandNumbers:
         A path that ends at a vector stands for all its elements. Names that match, but that do not have such a number,
         are left out. Raises UsageError.
         """
-        steps = steps_of(pattern)
-        matching = {at: entry for at, entry in self._found.items() if self._matches(steps, at)}
+        steps, names = steps_of(pattern), names_of(self._document, pattern)
+        below = {at: entry for at, entry in self._found.items() if at[0] in names}
+        matching = {at: entry for at, entry in below.items() if self._matches(steps, at)}
         numbers = {
             entry.path: entry
             for at, entry in matching.items()
@@ -347,11 +375,11 @@ class StandNumbers:
         }
         if not numbers:
             reasons = (reason for reason in matching.values() if isinstance(reason, str))
-            raise UsageError(f"{pattern}: {next(reasons, None) or self._reason(steps)}")
+            raise UsageError(f"{pattern}: {next(reasons, None) or self._reason((names[0], *steps[1:]))}")
         return list(numbers.values())
 
     def _matches(self, steps: Steps, at: Steps) -> bool:
-        """Does a path lead to the steps of a number, or to the vector that has it?"""
+        """Does a path lead, after its first name, to the steps of a number, or to the vector that has it?"""
         rest = at[len(steps) :]
         return (
             len(at) >= len(steps)
@@ -361,11 +389,12 @@ class StandNumbers:
                 if "*" in step
                 else name == step
                 for k, (name, step) in enumerate(zip(at, steps, strict=False))
+                if k
             )
         )
 
     def _reason(self, steps: Steps) -> str:
-        """Why a path or a pattern leads to no number: at the first name that matches."""
+        """Why a path, or a pattern after its first name, leads to no number: at the first key that matches."""
         at: Steps = ()
         for step in steps:
             inside = self._inside(at)
@@ -376,11 +405,9 @@ class StandNumbers:
             if matching:
                 at = (*at, matching[0])
             elif at and inside[0].isdigit():
-                return f"{path_of(at)}: expected a place from [0] to [{len(inside) - 1}], found [{step}]"
+                return f"{path_of(at)}: expected {_places(len(inside))}, found {step}"
             elif at:
                 return f"unknown key {show(step)}{suggestion(step, inside)}"
-            elif "*" in step:
-                return f"no name matches {show(step)}{suggestion(step.strip('*'), inside)}"
             else:
                 return f"{self._stand.name} has no {show(step)}{suggestion(step, inside)}"
         if any("*" in step for step in steps):
