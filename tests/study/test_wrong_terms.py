@@ -89,7 +89,7 @@ def answer_with(stand: Stand, change: Change, request: Request) -> Mapping[str, 
     at = reference.pieces(stand, state)
     K, right, phi_ddot = at.K.copy(), at.F - bias(at), np.array(state.phi_ddot)
     change(K, right, at)
-    right = right - K @ at.stream_rate()  # V_r* is V* and this
+    right = right - K @ at.stream_rate  # V_r* is V* and this
     if request.want == ("reaction",):
         return {"reaction": (K @ np.array(state.V_dot) - right + at.I @ phi_ddot).tolist()}
     I = S.T @ at.I

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from dataclasses import replace
@@ -14,7 +15,7 @@ import numpy as np
 import pytest
 
 from cli.run import DEMO3, refused, run
-from mahovik.contract.functions import WANTS
+from mahovik.contract.functions import CHOSEN, WANTS
 from mahovik.core.emit.generate import generate
 from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.program.types import FLOAT as SINGLE
@@ -166,6 +167,15 @@ def test_bits_that_differ_from_the_interpreter_are_caught(monkeypatch: pytest.Mo
     assert row.quantity == "interpreter = C, bit for bit"
     assert row.words == "forward differs"
     assert read_line(DEMO, worst_lines(answers)).state == rest_state(DEMO)
+
+
+def test_a_fresh_copy_is_judged_with_all_its_functions() -> None:
+    """Those of `--only all` too, at as many states as the row says."""
+    report = verify_c(DEMO, count=12)
+    compared = {row.judged: row.states for row in report.rows if row.verdict == "ok"}
+    assert {*CHOSEN} < compared.keys()
+    assert not [row for row in report.rows if row.judged and row.verdict == "not compared"]
+    assert re.search(r"\n regressor +1 ", report_result(report).text(100))
 
 
 def test_reports_as_json_and_junit() -> None:

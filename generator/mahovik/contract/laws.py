@@ -26,6 +26,7 @@ def _part(folder: str, module: str) -> object:
     return None if find_spec(name) is None else import_module(name).LAW
 
 
+@cache
 def parts(module: str, kind: type[Part], laws: tuple[str, ...] = LAWS) -> tuple[Part, ...]:
     """What a stage needs of each law that has it, in their order: LAW of that module of its folder, a `kind`."""
     there = [law for folder in laws if (law := _part(folder, module)) is not None]

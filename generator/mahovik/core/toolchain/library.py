@@ -219,10 +219,12 @@ class Library:
 
 def _of_c(value: Any) -> Any:
     """Plain data, also of arrays, with the names that members of structs have in C."""
+    if isinstance(value, float):
+        return value
+    if isinstance(value, list):
+        return value if not value or isinstance(value[0], float) else [_of_c(content) for content in value]
     if isinstance(value, Mapping):
         return {member(name): _of_c(content) for name, content in value.items()}
-    if isinstance(value, list):
-        return [_of_c(content) for content in value] if value and isinstance(value[0], Mapping | list) else value
     return value.tolist() if isinstance(value, np.ndarray | np.generic) else value
 
 

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
     from mahovik.proof.verify.check import Check, Report
 
-MOST_FUNCTIONS = 20
+MOST_FUNCTIONS = 22
 """Functions in the short table; a check that failed is always there."""
 
 MOST_BARS, LEAST_SHARE = 60, 1e-8
@@ -346,7 +346,7 @@ def report_result(
         write(Path(worst), lines)
         messages.append(f"worst states: {worst}")
     checks = Result("", columns_of(report.rows, dict.fromkeys(CHECK_COLUMNS, "")), whole=True)
-    hidden = ("states",) if not everything else () if checks.count else CHECK_COLUMNS
+    hidden = () if not everything or checks.count else CHECK_COLUMNS
     short, absent = _shortest(report.rows)
     if not everything and absent:
         text = f"not compared, all=True says why: {', '.join(dict.fromkeys(absent))}"

@@ -53,7 +53,7 @@ def _function(of_floats: Callable[..., Any], name: str) -> Callable[..., Any]:
     def function(*numbers: Any) -> Any:
         for x in numbers:
             if isinstance(x, np.ndarray):
-                return vector([function(number) for number in x])
+                return vector(list(map(function if x.dtype == object else of_floats, x.tolist())))
             if not isinstance(x, float | int):
                 return getattr(type(x), name)(*numbers)
         return of_floats(*numbers)

@@ -137,25 +137,31 @@ def required_loads(stand: Stand, state: State) -> Array:
     return np.concatenate([reaction(at, V_dot, phi_ddot), torque(at, V_dot, phi_ddot)])
 
 
-def _one_body(stand: Stand, name: str, mass: float, center: Array, J: Array, Lambda: Array | None = None) -> Stand:
-    """The stand with its places alone, but for one body's mass, centre and J (3x3) about its origin, or added mass.
+def _loads_of_one(
+    stand: Stand, state: State, name: str, mass: float, center: Array, J: Array, Lambda: Array | None = None
+) -> Array:
+    """The loads of one body alone, of a mass, centre and J (3x3) about its origin, or of added mass.
 
-    No law acts but weight; nothing holds the carrier.
+    What bears it has no mass. No law acts but weight; nothing holds the carrier.
     """
+    wheels = [k for k, s in enumerate(stand.flywheels) if s.name == name]
+    mounts = {stand.flywheels[k].mount for k in wheels}
 
     def bare(body: AnyBody) -> AnyBody:
         m, rc, inertia = (mass, center, J) if body.name == name else (0.0, zero[0], zero)
         numbers = {"mass": m, "center_of_mass": _nested(rc), "inertia": _nested(inertia)}
         return replace(body, laws=(), inertia_about="origin", **numbers)
 
-    return replace(
+    alone = replace(
         stand,
         laws=(),
         carrier=replace(bare(stand.carrier), added_mass=None if Lambda is None else _nested(Lambda)),
-        instruments=tuple(replace(bare(p), added_mass=None) for p in stand.instruments),
-        flywheels=tuple(bare(s) for s in stand.flywheels),
+        instruments=tuple(replace(bare(p), added_mass=None) for p in stand.instruments if p.name in mounts),
+        flywheels=tuple(bare(stand.flywheels[k]) for k in wheels),
         hold=None,
     )
+    motion: Any = {key: tuple(getattr(state, key)[k] for k in wheels) for key in ("phi", "phi_dot", "phi_ddot")}
+    return required_loads(alone, replace(state, **motion))
 
 
 def _nested(numbers: Array) -> Any:
@@ -170,23 +176,29 @@ def _unit(i: int, j: int, size: int) -> Array:
     return unit
 
 
-def body_columns(stand: Stand, state: State, name: str) -> Array:
-    """The ten columns of a body (6 + N x 10): mass, first moment, J about its origin, in its own frame."""
+def body_columns(stand: Stand, state: State, name: str, numbers: Sequence[int] = range(10)) -> Array:
+    """Those of the ten columns of a body: mass, first moment, J about its origin, in its own frame.
+
+    Six rows of the carrier's loads, and of a flywheel the one of its drive.
+    """
 
     def loads(mass: float, center: Array, J: Array) -> Array:
-        return required_loads(_one_body(stand, name, mass, center, J), state)
+        return _loads_of_one(stand, state, name, mass, center, J)
 
     mass = loads(1.0, zero[0], zero)
-    first = [loads(1.0, axis, zero) - mass for axis in E]
-    return np.column_stack([mass, *first, *(loads(0.0, zero[0], _unit(i, j, 3)) for i, j in _MOMENTS)])
+
+    def column(number: int) -> Array:
+        if number > len(E):
+            return loads(0.0, zero[0], _unit(*_MOMENTS[number - 4], 3))
+        return loads(1.0, E[number - 1], zero) - mass if number else mass
+
+    return np.column_stack([column(number) for number in numbers])
 
 
 def added_mass_columns(stand: Stand, state: State) -> Array:
     """Columns of the upper half of the added mass (6 x 21), row by row; both halves change together."""
     units = [_unit(i, j, 6) for i in range(6) for j in range(i, 6)]
-    return np.column_stack(
-        [required_loads(_one_body(stand, stand.carrier.name, 0.0, zero[0], zero, L), state)[:6] for L in units]
-    )
+    return np.column_stack([_loads_of_one(stand, state, stand.carrier.name, 0.0, zero[0], zero, L) for L in units])
 
 
 def answer_regressor(at: Pieces, stand: Stand, state: State) -> Values:
@@ -195,11 +207,11 @@ def answer_regressor(at: Pieces, stand: Stand, state: State) -> Values:
     Linear damping A of the carrier takes A V_r, quadratic damping A (V_r |V_r|): row i has A[i][j] times number j.
     """
     state = replace(state, wrench=MappingProxyType({}))
-    values: Values = {"Y_carrier": body_columns(stand, state, stand.carrier.name)[:6]}
+    values: Values = {"Y_carrier": body_columns(stand, state, stand.carrier.name)}
     if stand.flywheels:
         columns = np.stack([body_columns(stand, state, s.name) for s in stand.flywheels])
         values["Y_flywheel"] = columns[:, :6]
-        values["Y_drive"] = np.array([of_wheel[6 + s] for s, of_wheel in enumerate(columns)])
+        values["Y_drive"] = columns[:, 6]
     if stand.carrier.added_mass is not None or any(p.added_mass is not None for p in stand.instruments):
         values["Y_added_mass"] = added_mass_columns(stand, state)
     return values | {"Y_linear": at.V_r, "Y_quadratic": at.V_r * np.abs(at.V_r)}
@@ -210,7 +222,7 @@ def answer_regressor(at: Pieces, stand: Stand, state: State) -> Values:
 
 def slopes(stand: Stand, state: State) -> Array:
     """-K^-1 Y (6x2N): K V* = F - ... - Y u, so that an unbalance u changes V* by this."""
-    columns = [body_columns(stand, state, s.name)[:6, 2:4] for s in stand.flywheels]
+    columns = [body_columns(stand, state, s.name, (2, 3))[:6] for s in stand.flywheels]
     return np.asarray(-np.linalg.solve(pieces(stand, state).K, np.hstack(columns)))
 
 

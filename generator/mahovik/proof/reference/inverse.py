@@ -324,7 +324,7 @@ def scaled_task(at: Pieces, rows: TaskRows, demand: Array) -> ScaledDemand:
     G^-1/2 is R^-T of K^-1/2 S^T = Q R, which loses no digits to the squares in G.
     """
     to_motion = np.array([solve_symmetric(at.K, row) for row in rows.S])  # S K^-1
-    c = to_motion @ (at.F - bias(at)) - rows.S @ at.stream_rate() + rows.s - demand
+    c = to_motion @ (at.F - bias(at)) - rows.S @ at.stream_rate + rows.s - demand
     R = np.asarray(np.linalg.qr(inverse_root(at.K) @ rows.S.T, mode="r"), dtype=np.float64)
     return ScaledDemand(to_motion @ at.I, c, np.asarray(np.linalg.inv(R.T)), inverse_root(at.Theta_ff).T)
 

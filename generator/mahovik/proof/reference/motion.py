@@ -104,13 +104,14 @@ def rates(at: Pieces, tau: Array, phi_ddot: Array, free: Array) -> tuple[Array, 
 
     Solved for u* + S^T d, with d - S S^T d in the place of d: of a free carrier that is V_r*, and nothing is left of d.
     """
-    m, d = at.S.shape[1], at.stream_rate()
+    m, d = at.S.shape[1], at.stream_rate
     moved = at.S.T @ d
     d = d - at.S @ moved
     right = at.S.T @ (at.F - bias(at) - at.K @ d - at.I @ np.where(free, 0.0, phi_ddot))
-    result, mass = np.concatenate([np.zeros(m), phi_ddot]).astype(right.dtype), at.S.T @ at.K @ at.S
-    if np.any(free):
-        mass, right = full_mass_matrix(at), np.concatenate([right, spin_up_torque(at, tau) - at.I.T @ d])
+    if not np.any(free):
+        return solve_symmetric(at.S.T @ at.K @ at.S, right) - moved, phi_ddot
+    mass, right = full_mass_matrix(at), np.concatenate([right, spin_up_torque(at, tau) - at.I.T @ d])
+    result = np.concatenate([np.zeros(m), phi_ddot]).astype(right.dtype)
     unknown = np.flatnonzero(np.concatenate([np.full(m, True), free]))
     result[unknown] = solve_symmetric(mass[np.ix_(unknown, unknown)], right[unknown])
     return result[:m] - moved, result[m:]

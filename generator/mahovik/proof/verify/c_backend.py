@@ -49,7 +49,8 @@ def prepare_records(interpreter: Interpreter, layout: Layout, table: Any, mounti
 class CBackend(ProgramBackend):
     """Compiled C of a stand: freshly generated, or <name>.h and <name>.c of `folder`.
 
-    `generated`: the result of `generate_all` with these options, if the caller has it.
+    `generated`: the result of `generate_all` with these options, if the caller has it. `chosen`: functions of CHOSEN
+    that fresh C has.
     C of `generate --only` in `folder` answers the wants of its functions. Functions that it lacks and that a judge
     needs beside the judged one are run by the interpreter of `complete`, which is the program with all functions.
     Raises ToolchainError (no compiler, a warning), UsageError (no such files), CheckError (of another stand).
@@ -61,9 +62,9 @@ class CBackend(ProgramBackend):
         precision_name: str = "double",
         folder: Path | None = None,
         generated: Generated | None = None,
+        chosen: tuple[str, ...] = (),
     ) -> None:
         self._stand = stand
-        chosen: tuple[str, ...] = ()
         if folder is not None:
             _check_folder(folder, stand, precision_name)
             chosen = tuple(name for name in CHOSEN if name in declared_functions(folder, stand.name))

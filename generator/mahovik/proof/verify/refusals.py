@@ -194,11 +194,18 @@ def _coordinates(program: Program) -> dict[str, Any]:
 def raw_call(backend: CBackend) -> Call:
     """Calls a function of the C with inputs that may be wrong: its status, and whether its results are untouched."""
     library, program, table = backend.library, backend.program, backend.table()
+    held: dict[str, Any] = {}
+    last: tuple[str, Mapping[str, Any]] = "", {}
 
     def call(name: str, inputs: Mapping[str, Any]) -> tuple[int, bool]:
+        """Data of C of an argument is kept while calls of a function, one after another, have the same value."""
+        nonlocal held, last
         arguments = {key: library.ffi.NULL if value is NULL else value for key, value in inputs.items()}
         if name == "prepare" and inputs["table"] is not NULL:
-            arguments["table"] = table  # of which each call has a copy to write to
-        return library.probe(name, library.hold_all(program.function(name), arguments, UNWRITTEN))
+            arguments["table"] = table  # of which the calls have a copy to write to
+        same = held if last[0] == name else {}
+        kept = {key: data for key, data in same.items() if arguments.get(key) is last[1].get(key)}
+        last, held = (name, arguments), library.hold_all(program.function(name), arguments | kept, UNWRITTEN)
+        return library.probe(name, held)
 
     return call

@@ -289,7 +289,7 @@ def _with_one_balanced(at: Pieces, balanced: Pieces) -> dict[str, Array]:
     mass = at.S.T @ K_changed @ at.S  # of u_dot, V_dot = S u_dot
     unit = 1.0 / np.sqrt(np.abs(np.diagonal(mass, axis1=1, axis2=2)))  # it is scaled to a unit diagonal
     scaled = mass * unit[:, :, None] * unit[:, None, :]
-    asked = unit * ((pull - K_changed @ at.stream_rate()) @ at.S)
+    asked = unit * ((pull - K_changed @ at.stream_rate) @ at.S)
     u_dot = unit * np.linalg.solve(scaled, asked[..., None])[..., 0]
     return {
         "forward": u_dot @ at.S.T,

@@ -15,7 +15,6 @@ from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import null_space
 
 from mahovik.contract.functions import task_of as task_name_of
 from mahovik.contract.status import status_bits, status_words
@@ -395,7 +394,8 @@ def _judge_fast(case: Case, rows: Rows, question: Question, status: int, phi_ddo
     gram, to_y = normal_matrix(known, question.weight, question.damping[1]), (known.W / question.weight).T
     z = np.linalg.lstsq(to_y, phi_ddot / np.diag(known.to_phi_ddot), rcond=None)[0]
     if len(gram) == len(z):
-        unseen = null_space(to_y)  # directions in which no flywheel acts: damping alone bounds z there
+        # directions in which no flywheel acts: damping alone bounds z there
+        unseen = np.linalg.svd(to_y)[2][np.linalg.matrix_rank(to_y) :].T
         z += unseen @ np.linalg.lstsq(gram @ unseen, known.r - gram @ z, rcond=None)[0]
 
     def sides(stand: Stand, _: State, at: Pieces) -> Values:

@@ -26,7 +26,6 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError, UsageError
-from mahovik.proof.reference.evaluate import answer_regressor
 from mahovik.proof.verify.check import Check, Report, report
 from mahovik.proof.verify.compare import Case, Rows
 from mahovik.proof.verify.files import Generate, check_text_beside
@@ -72,9 +71,7 @@ JUDGES: dict[str, FunctionJudge] = {
     "wrap": FunctionJudge("promise", value.judge_wrap),
     "prepare": _PARAMETERS,
     "prepare_mounts": _PARAMETERS,
-    "regressor": _value(
-        partial(value.state_trials, equation=lambda stand, state, at: answer_regressor(at, stand, state))
-    ),
+    "regressor": _value(value.regressor_trials),
     "identify_step": _value(value.estimate_trials),
     **{name: FunctionJudge("law", servos.judge_law) for name in servos.LAWS},
     **{name: FunctionJudge("law", programmes.judge_table) for name in programmes.TABLES},

@@ -36,7 +36,7 @@ from mahovik.proof.reference.algebra import (
     vector,
 )
 from mahovik.proof.reference.coordinates import check_attitude, kinematic_matrix, kinematic_matrix_rate, pose_of
-from mahovik.proof.reference.evaluate import identify_step, slopes
+from mahovik.proof.reference.evaluate import answer_regressor, identify_step, slopes
 from mahovik.proof.reference.motion import coupled
 from mahovik.proof.second import Second
 from mahovik.proof.second.system import Derivatives
@@ -53,6 +53,9 @@ OTHER_STANDS, BODIES = 3, 6
 
 JACOBIAN_STATES, LOCKED_STATES = 4, 1
 """States at which a Jacobian is judged, and with locks: each pattern needs a derivative of its own."""
+
+REGRESSOR_STATES, ESTIMATE_STATES = 1, 3
+"""States at which columns of bodies are compared, hundreds of numbers at each, and estimates that rest on them."""
 
 DEVIATION, NOISE, FORGET = 1e-3, 0.1, 0.1
 """kg m: deviation of the unbalances before a sample; noise, a part of what these make of a component; `forget`."""
@@ -90,10 +93,12 @@ def judge_trials(case: Case, rows: Rows, trials: Callable[[Case], Iterator[Trial
         rows.compare(trial.name, trial.state, trial.equation, answer, suffix)
 
 
-def state_trials(case: Case, equation: Equation) -> Iterator[Trial]:
-    """An equation at every state, with the state as arguments."""
-    for name, state in case.states:
-        yield Trial(name, state, case.backend.arguments(state), equation)
+def regressor_trials(case: Case) -> Iterator[Trial]:
+    """The columns of every body."""
+    for name, state in case.states[:REGRESSOR_STATES]:
+        yield Trial(
+            name, state, case.backend.arguments(state), lambda stand, near, at: answer_regressor(at, stand, near)
+        )
 
 
 def trials_with_sines(case: Case, function: str) -> Iterator[Trial]:
@@ -131,7 +136,7 @@ def estimate_trials(case: Case) -> Iterator[Trial]:
     Some variances reach the largest as they grow, and some components of V_dot are not used.
     """
     n = 2 * case.count
-    for number, (name, state) in enumerate(case.states):
+    for number, (name, state) in enumerate(case.states[:ESTIMATE_STATES]):
         rng, largest = case.random(number), float(case.nearest_numbers(DEVIATION**2))
         prior = {
             "unbalance": case.nearest_numbers(DEVIATION * rng.normal(size=n)).tolist(),
