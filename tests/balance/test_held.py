@@ -35,6 +35,7 @@ def test_a_force_table_tells_corrections_in_two_planes(tmp_path: Path, exact: An
         spread = float(np.sqrt((arms @ wheel.covariance @ arms).real))
         assert abs(-wheel.w @ arms - dynamic) < 4.0 * spread
         assert list(wheel.vibration) == ["force", "moment"]
+        assert wheel.vibration["force"][0] == pytest.approx(amount * wheel.speed**2, rel=0.02), "what turns: U omega^2"
         assert all(after < 0.01 * before for before, after, _ in wheel.vibration.values())
     assert not recordings[0].notes
 

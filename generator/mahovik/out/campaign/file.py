@@ -118,7 +118,7 @@ class CampaignTable(Table):
     design       how samples are placed
     chunk        samples of a chunk; without it a 64th of all, 16 to 10,000
     vary         numbers that vary
-    correlation  numbers that depend on each other
+    correlation  numbers that depend on each other: `of`, their paths, and `coefficient` of a Gaussian copula
     over         over what each sample is computed
     quantity     what is kept of each sample
     """

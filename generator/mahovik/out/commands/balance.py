@@ -106,6 +106,7 @@ def _by_model(source: Any, files: Sequence[Any], plane: Any, places: Any) -> Res
     from mahovik.out.api.stands import Stand
     from mahovik.use.balance.by_model import HALF_WIDTH, balance_wheels
     from mahovik.use.measured.read import read_recordings
+    from mahovik.use.vibration.view import LOADS, QUANTITIES
 
     stand = Stand.of(source)
     planes = _planes(stand, plane or {})
@@ -123,20 +124,16 @@ def _by_model(source: Any, files: Sequence[Any], plane: Any, places: Any) -> Res
         column("interval_at", "rad", np.arctan2(HALF_WIDTH * error, np.abs(w))),
     ]
     columns += _split(places, w.tolist())
-    change = [(wheel.name, kind, *sizes[:2]) for wheel in wheels for kind, sizes in wheel.vibration.items()]
+    units, heads = QUANTITIES | LOADS, ("flywheel", "quantity", "unit", "before", "after")
+    kinds = ((wheel.name, kind, sizes) for wheel in wheels for kind, sizes in wheel.vibration.items())
+    change = zip(*((name, kind, units[kind].unit, *sizes[:2]) for name, kind, sizes in kinds), strict=True)
+    orders = Result("First order", [column(head, "", values) for head, values in zip(heads, change, strict=True)])
     warnings = [wheel.warning for wheel in wheels if wheel.warning]
-    heads = ("flywheel", "quantity", "before", "after")
     return Result(
         f"{stand.name}: corrections",
         (*columns, column("residual", "kg m", residual)),
         rows="planes",
-        meta={
-            "stand": stand.name,
-            "flywheels": _static(wheels),
-            "vibration": Result(
-                "First order, in SI", [column(head, "", [row[k] for row in change]) for k, head in enumerate(heads)]
-            ),
-        },
+        meta={"stand": stand.name, "flywheels": _static(wheels), "vibration": orders},
         messages=[*(note for recording in recordings for note in recording.notes), *warnings],
         ok=not warnings,
         details=("stand",),

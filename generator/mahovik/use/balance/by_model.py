@@ -26,6 +26,7 @@ from mahovik.use.measured.clocks import Recording
 from mahovik.use.measured.headers import AXES, LETTERS
 from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.study.linear import places
+from mahovik.use.vibration.lines import size_of
 from mahovik.use.vibration.plant import Plant, Scene
 from mahovik.use.vibration.view import View
 
@@ -148,8 +149,8 @@ class WheelBalance:
     w         (P): corrections; their angle is counted from the flywheel's second axis
     covariance  (P, P): of w; a component of w_k has the variance covariance_kk
     fit       root of the mean square of what is left of the channels, in standard errors of their noise
-    vibration   by quantity: amplitude of the first order (root of the sum of squares over its channels) as measured,
-                with the corrections, and half its 95 % interval, at the fastest of the recordings
+    vibration   by quantity: largest length of the vector of the first order, at the place where it is largest, as
+                measured and with the corrections, SI; and half its 95 % interval, at the fastest of the recordings
     """
 
     name: str
@@ -234,7 +235,6 @@ def _wheel(
     seen = sorted((orders for orders in measured if orders.speeds[s]), key=lambda orders: -abs(orders.speeds[s]))
     alpha = np.vstack([influences(scene, plant, s, positions, orders) for orders in seen])
     X, error = (np.concatenate([getattr(orders, key)[:, s] for orders in seen]) for key in ("X", "error"))
-    labels = np.array([quantity_of(label) for orders in seen for label in orders.channels])
     weighted, M = alpha / error[:, None], len(X)
     size = np.linalg.norm(weighted, axis=0)
     sigma = np.linalg.svd(weighted / np.where(size, size, 1.0), compute_uv=False)
@@ -247,14 +247,14 @@ def _wheel(
     widened = max(fit, 1.0) if fit <= UNEXPLAINED else math.nan
     covariance = np.asarray(np.linalg.inv(weighted.conj().T @ weighted) * widened**2, dtype=np.complex128)
     speed = float(seen[0].speeds[s])
-    fastest = slice(0, len(seen[0].channels))
-    after = (X + alpha @ w)[fastest]
+    after = X + alpha @ w
+    vectors: dict[str, dict[str, list[int]]] = {}  # channels of each vector, by quantity and place
+    for k, label in enumerate(seen[0].channels):
+        vectors.setdefault(quantity_of(label), {}).setdefault(label.partition(".")[0], []).append(k)
     vibration = {}
-    for kind in dict.fromkeys(labels[fastest].tolist()):
-        rows = labels[fastest] == kind
-        sizes = (float(np.linalg.norm(values[rows])) for values in (X[fastest], after, error[fastest]))
-        before, left, noise = sizes
-        vibration[kind] = before, left, HALF_WIDTH * noise
+    for kind, rows in vectors.items():
+        before, left = (max(float(size_of(values[of])) for of in rows.values()) for values in (X, after))
+        vibration[kind] = before, left, HALF_WIDTH * max(float(np.linalg.norm(error[of])) for of in rows.values())
     return WheelBalance(flywheel.name, flywheel.mass, speed, tuple(positions), w, covariance, fit, vibration)
 
 
