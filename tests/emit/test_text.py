@@ -116,7 +116,7 @@ def test_few_flywheels_leave_no_idle_loop_or_operation(flywheels: int, held: boo
 
 @pytest.mark.parametrize("name", ["wet7", "channel1", "demo3"])
 def test_headers_say_the_equation_in_the_twist_that_it_takes_within_the_width_of_a_line(name: str) -> None:
-    """Relative to the stream in a stream, where V_dot stays that of V; batches have lines of code that cannot break."""
+    """Relative to the stream in a stream, where V_dot stays that of V; names of stands have at most 8 letters."""
     example, made = stand(name), generated(name)
     header, page = made.files[f"{name}.h"], readme(example, made)
     twist = "V_r" if example.stream or example.profile else "V"
@@ -124,6 +124,5 @@ def test_headers_say_the_equation_in_the_twist_that_it_takes_within_the_width_of
         assert f"K {twist}_dot + M {twist}" in text
         assert ("V_r_dot" in text) == (twist == "V_r")
         assert not re.search(r"\bK V_dot\b|\bM V\b", text) or twist == "V"
-    comments = [header, *(text for file, text in batch_files(example, made).items() if file.endswith(".h"))]
-    lines = [line for text in comments for line in text.splitlines() if line.endswith("*/") or line.startswith(" * ")]
-    assert max(map(len, lines)) <= WIDTH
+    texts = (header, made.files[f"{name}.c"], *batch_files(example, made).values())
+    assert max(len(line) for text in texts for line in text.splitlines()) <= WIDTH

@@ -158,6 +158,7 @@ _ROWS: tuple[PublicFunction, ...] = (
         ("reference",),
         want=True,
         tasks=True,
+        batch=True,
         unread="infinity, which is no limit at all",
         ignores=_FOR_TORQUES,
     ),

@@ -32,6 +32,9 @@ from mahovik.core.stand.structure import identities
 TABLES = tuple(PREPARED)
 """Arguments that hold the numbers of a stand; all others depend on its structure alone."""
 
+NARROW = ("inverse",)
+"""Functions that are called state by state though they have a batch: compilers take seconds for it."""
+
 LibraryKind = Literal["states", "batches", "tables"]
 """Library with every function state by state; with batches of one stand; with batches of n stands."""
 
@@ -40,11 +43,16 @@ def array_functions(generated: Generated, kind: LibraryKind = "batches") -> tupl
     """Arguments and results of the functions of `array_files`; "tables" has second forms of those of "batches"."""
     result = []
     for f in _functions(generated):
-        wide = kind != "states" and row_of(f.name).batch
+        wide = _is_wide(f, kind)
         result.append(
             ArrayFunction(f.name, f.purpose, wide, tuple(_argument_layout(a, generated, wide) for a in f.arguments))
         )
     return tuple(result)
+
+
+def _is_wide(f: Function, kind: LibraryKind) -> bool:
+    """Does a library call the batch of a function?"""
+    return kind != "states" and not f.name.startswith(NARROW) and row_of(f.name).batch
 
 
 def tables(generated: Generated) -> dict[str, tuple[Member, ...]]:
@@ -60,7 +68,7 @@ def parameters(generated: Generated) -> tuple[Member, ...]:
 
 def array_files(stand: Stand, generated: Generated, kind: LibraryKind) -> dict[str, str]:
     """C by file name, with the batches that it calls; it lies beside the files of the stand."""
-    batch = {} if kind == "states" else batch_files(stand, generated, (kind == "tables",))
+    batch = {} if kind == "states" else batch_files(stand, generated, (kind == "tables",), NARROW)
     return {**batch, **_array_source(stand, generated, kind)}
 
 
@@ -72,7 +80,7 @@ def _array_source(stand: Stand, generated: Generated, kind: LibraryKind) -> dict
         of_tables=kind == "tables",
         sizes=_sizes(generated, code.names),
         functions=[
-            _call(f, generated, code.names, kind != "states" and row_of(f.name).batch, kind == "tables")
+            _call(f, generated, code.names, _is_wide(f, kind), kind == "tables")
             for f in _functions(generated)
             if kind != "tables" or any(a.name in TABLES for a in f.arguments)
         ],

@@ -5,9 +5,11 @@ Tables of n stands are prepared straight into the lanes in which the batches rea
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 from mahovik.contract.functions import BATCH_FUNCTIONS
+from mahovik.contract.quantities import is_shared
 from mahovik.core.emit.calls import call, nested_loops, over_members, over_rows
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import pointer_arguments, zeros, zeros_for_null
@@ -27,12 +29,17 @@ from mahovik.core.stand.structure import identities
 from mahovik.errors import UsageError
 
 
-def batch_files(stand: Stand, generated: Generated, table_forms: tuple[bool, ...] = BOTH) -> dict[str, str]:
-    """Header and source of the batches of generated C; `table_forms`: of one stand, of n stands, or BOTH, as delivered.
+def batch_files(
+    stand: Stand, generated: Generated, table_forms: tuple[bool, ...] = BOTH, left_out: Collection[str] = ()
+) -> dict[str, str]:
+    """Header and source of the batches of generated C.
+
+    table_forms  of one stand, of n stands, or BOTH, as delivered
+    left_out     functions that get no batch, nor their forms for tasks
 
     Raises UsageError where no function has a batch.
     """
-    made = batches(generated.program, table_forms)
+    made = batches(generated.program, table_forms, left_out)
     if not made.batches:
         names = ", ".join(name for name in BATCH_FUNCTIONS)
         raise UsageError(f"batch: none of the functions {', '.join(generated.only)} has one, expected one of {names}")
@@ -153,7 +160,7 @@ class _Printer:
         if a.name in PREPARED:
             return f"{a.name}s[(n + {self._made.lanes - 1}) / {self._made.lanes}]" if batch.own_table else a.name
         if isinstance(a.type, Struct):
-            return f"{a.name}[{reals(a.type) * _length(a)} n]"
+            return f"{a.name}[{reals(a.type, ints=True) * _length(a)} n]" if _varies(a) else a.name
         if not a.shape:
             return a.name
         return f"{a.name}[{int(a.shape[0])}{' n' if _varies(a) else ''}]"
@@ -166,10 +173,10 @@ class _Printer:
 
     def _batch_declaration(self, a: Argument, batch: Batch) -> str:
         """An argument of the batch: reals of all states, or a value common to all."""
-        if a.name in PREPARED:
-            assert isinstance(a.type, Struct)
+        if isinstance(a.type, Struct) and not _varies(a):
             wide = f"const {self._names.prefix}_wide_{a.type.name} {a.name}s[]"
-            return wide if batch.own_table else f"const {self._names.type(a.type)} *{a.name}"
+            lanes = batch.own_table and a.name in PREPARED
+            return wide if lanes else f"const {self._names.type(a.type)} *{a.name}"
         const = "const " if a.direction == "in" and (a.shape or isinstance(a.type, Struct)) else ""
         if _varies(a):
             return f"{const}{self._names.type(Kind.REAL)} {a.name}[]"
@@ -237,7 +244,7 @@ def _name(batch: Batch) -> str:
 
 def _varies(a: Argument) -> bool:
     """Does it differ from state to state?"""
-    if a.name in PREPARED:
+    if a.name in PREPARED or is_shared(a.name):
         return False
     return isinstance(a.type, Struct) or (a.type is Kind.REAL and bool(a.shape))
 
@@ -344,11 +351,11 @@ class Preparing:
         return reals(self._layout.parameters) + reals(law_struct(self._layout))
 
 
-def reals(struct: Struct) -> int:
-    """How many reals a struct has."""
+def reals(struct: Struct, ints: bool = False) -> int:
+    """How many reals a struct has, and `ints` as well."""
     result = 0
     for f in struct.fields:
-        count = reals(f.type) if isinstance(f.type, Struct) else int(f.type is Kind.REAL)
+        count = reals(f.type, ints) if isinstance(f.type, Struct) else int(ints or f.type is Kind.REAL)
         for length in f.shape:
             count *= int(length)
         result += count

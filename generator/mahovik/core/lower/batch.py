@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 
-from mahovik.contract.functions import BATCH_FUNCTIONS
+from mahovik.contract.functions import BATCH_FUNCTIONS, row_of, task_of
 from mahovik.contract.quantities import is_shared
 from mahovik.core.lower.flywheels import APART
 from mahovik.core.program.call import Call
@@ -13,6 +13,7 @@ from mahovik.core.program.function import Function, Program
 from mahovik.core.program.inline import Inliner
 from mahovik.core.program.refusal import without_returns
 from mahovik.core.program.statement import Do, Statement, Statements
+from mahovik.core.program.types import Struct
 from mahovik.core.program.walk import reachable, with_blocks, without_missing
 from mahovik.core.program.widen import RESERVED, Wide, Widener
 
@@ -49,17 +50,24 @@ class Batches:
         return self.widener.wide.lanes
 
 
-def batches(whole: Program, own_tables: tuple[bool, ...] = BOTH) -> Batches:
-    """Wide forms of the functions of a program that have a batch; `own_tables`: of one stand, of n stands, or BOTH."""
+def batches(whole: Program, own_tables: tuple[bool, ...] = BOTH, left_out: Collection[str] = ()) -> Batches:
+    """Wide forms of the functions of a program that have a batch.
+
+    own_tables  of one stand, of n stands, or BOTH
+    left_out    functions that get none, nor their forms for tasks
+    """
     program = _apart(replace(whole, functions=tuple(map(without_missing, whole.functions))))
     public = {f.name: f for f in program.functions if f.public}
     own_tables = tuple(own for own in own_tables if not own or "prepare" in public)  # which makes tables of n stands
     entries = [public[name] for name in BATCH_FUNCTIONS if name in public]
+    entries += [f for name, f in public.items() if task_of(name) and row_of(name).batch]
+    entries = [f for f in entries if not f.name.startswith(tuple(left_out))]
     preparing = [public[name] for name in PREPARED.values() if name in public] if entries and True in own_tables else []
     needed = reachable(tuple(replace(f, public=f in (*entries, *preparing)) for f in program.functions))
     refusing = without_returns(tuple(program.function(f.name) for f in needed), program.precision)
     inliner = Inliner(refusing, RESERVED)
-    widener = Widener(Wide(program.precision), inliner.__getitem__)
+    results = {a.type.name for f in entries for a in f.arguments if a.direction == "out" and isinstance(a.type, Struct)}
+    widener = Widener(Wide(program.precision, results), inliner.__getitem__)
 
     def batch(narrow: Function, varying: Iterable[str], own_table: bool) -> Batch:
         return Batch(narrow, widener.function(inliner[narrow.name], varying), own_table)

@@ -92,7 +92,14 @@ class _Body:
         """An expression; `before` gets what must be done before it: the bodies of the functions that it calls."""
 
         def inline_call(call: Call) -> Expr:
-            if not is_flat(self._function_of(call.signature.name)):
+            function = self._function_of(call.signature.name)
+            if function.returns is None:  # its value is a result
+                result = function.arguments[-1]
+                made = Variable(self._fresh(function.name), result.type, written=True)
+                with_result = Call(function.signature, (*call.arguments, made.place))
+                before.extend([Declare(made), *(self._fitting(function, with_result.arguments) or [Do(with_result)])])
+                return made.place
+            if not is_flat(function):
                 raise TypeError(f"{call.signature.name} is called inside an expression, but cannot be copied there")
             steps, value = self._copy_body(call)
             before.extend(steps)
@@ -168,7 +175,7 @@ class _Body:
             if id(parameter.variable) not in used:
                 continue
             if _by_name(parameter, value):
-                meanings[id(parameter.variable)] = value
+                meanings[id(parameter.variable)] = self._with_named_indices(value, steps)
             else:
                 variable = Variable(self._fresh(parameter.name), value.kind)
                 steps.append(Let(variable, value))
@@ -179,6 +186,20 @@ class _Body:
             return [*steps, *self._block(body, meanings)], None
         steps += self._block(body[:-1], meanings)
         return steps, self._expr(last.value, meanings, steps)
+
+    def _with_named_indices(self, value: Expr, before: list[Statement]) -> Expr:
+        """A place whose indices that are read from memory have names: it is printed wherever the body uses it."""
+        if not isinstance(value, Place):
+            return value
+
+        def named(step: str | Expr) -> str | Expr:
+            if not isinstance(step, Place) or not step.path:
+                return step
+            index = Variable(self._fresh("index"), Kind.INT)
+            before.append(Let(index, step))
+            return index.place
+
+        return Place(value.root, tuple(map(named, value.path)), value.type, value.shape)
 
 
 def _by_name(parameter: Argument, value: Expr) -> bool:

@@ -21,6 +21,7 @@ from mahovik.core.program.expression import (
     BitCast,
     Compare,
     Const,
+    Convert,
     Expr,
     Logic,
     Negate,
@@ -29,6 +30,7 @@ from mahovik.core.program.expression import (
     Status,
     Variable,
     equal,
+    integer,
     select,
     unequal,
     word,
@@ -68,10 +70,29 @@ def without_returns(functions: tuple[Function, ...], precision: Precision) -> di
         refusing = function.returns is Kind.STATUS
         if refusing and not _only_looks(function):
             done[_unchecked_name(function)] = _Rewriting(done, precision).unchecked(function)
-        done[function.name] = _Rewriting(done, precision).refusing(function) if refusing else function
+        done[function.name] = _Rewriting(done, precision).refusing(function) if refusing else _with_result(function)
         if _only_looks(function) or (refusing and function.name in looking):
             done[_probe_name(function)] = _Rewriting(done, precision).probe(function)
     return done
+
+
+def _with_result(function: Function) -> Function:
+    """A function whose value is returned in several places, with a result in place of the value; others as they are."""
+    if not any(isinstance(s, Return) for s in statements(function.body) if s is not function.body[-1]):
+        return function
+    assert function.returns is not None
+    value = Argument("value", function.returns, (), "out")
+
+    def body(block: Statements) -> Statements:
+        for number, s in enumerate(block):
+            if isinstance(s, Return):
+                return (*block[:number], Set(value.place, s.value))
+            if isinstance(s, When) and _returns((s,)):
+                rest = block[number + 1 :]
+                return (*block[:number], replace(s, body=body((*s.body, *rest)), otherwise=body((*s.otherwise, *rest))))
+        return block
+
+    return replace(function, arguments=(*function.arguments, value), body=body(function.body), returns=None)
 
 
 def _only_looks(function: Function | Signature) -> bool:
@@ -118,9 +139,15 @@ def _return_of(s: Statement | None, status: Place) -> Return | None:
     return only if isinstance(only, Return) else None
 
 
-def _code(status: Status) -> int:
+def _code(status: Expr) -> Expr:
+    """The code of a status by name, or of one that is made of bits."""
+    if isinstance(status, Convert):
+        bits = status.operand
+        return select(equal(bits, integer(0)), word(0), Convert(bits, Kind.WORD) + word(POSITIVE))
+    if not isinstance(status, Status):
+        raise TypeError("only a status by name, or one made of bits, can be returned here")
     value = STATUS_VALUES[status.name]
-    return POSITIVE + value if value > 0 else -value
+    return word(POSITIVE + value if value > 0 else -value)
 
 
 class _Rewriting:
@@ -199,12 +226,9 @@ class _Rewriting:
             case Do(call) if call.signature.returns is Kind.STATUS:  # it was checked before, and cannot refuse here
                 yield Do(Call(self._done[_unchecked_name(call.signature)].signature, call.arguments))
             case Return(value):
-                if not isinstance(value, Status):
-                    raise TypeError("only a status by name can be returned here")
-                code = _code(value)
-                if code:
-                    place = self._refused.place
-                    yield Set(place, select(equal(place, word(0)), word(code), place))
+                place, code = self._refused.place, _code(value)
+                if not (isinstance(code, Const) and code.value == 0):
+                    yield Set(place, select(equal(place, word(0)), code, place))
             case _:
                 yield with_blocks(s, self._body)
 

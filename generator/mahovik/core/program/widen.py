@@ -1,8 +1,9 @@
 """The wide form of a function: the same operations for many states side by side, in loops that compilers vectorise.
 
 As ISPC does it: what varies from state to state gets an array of lanes, what is the same for all stays. A condition
-that varies becomes a choice between values. Then straight stretches of code become one loop over the lanes; loops over
-flywheels and calls stay around them. So each state gets the bits of the narrow function, whatever its neighbours do.
+that varies becomes a choice between values; what it guards is left out where no state needs it, if it has loops. Then
+straight stretches of code become one loop over the lanes; loops over flywheels and calls stay around them. So each
+state gets the bits of the narrow function, whatever its neighbours do.
 
 A variable that one stretch alone uses stays a scalar inside its loop, where it is a register; one that several use, or
 that is passed to a function, gets an array of lanes. What is the same in all lanes is computed once, before the loop.
@@ -14,14 +15,16 @@ them, and none waits in a register.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from typing import cast
 
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import (
     Binary,
     Choice,
     Const,
+    Convert,
     Expr,
     Logic,
     Negate,
@@ -49,6 +52,7 @@ from mahovik.core.program.walk import (
     rebuilt,
     statements,
     used_variables,
+    with_blocks,
 )
 
 BYTES = 64
@@ -62,29 +66,42 @@ RESERVED = (LANE, "where", "any")
 
 
 class Wide:
-    """The wide forms of the types of one program. Ints are the same in all lanes and stay as they are."""
+    """The wide forms of the types of one program.
 
-    def __init__(self, precision: Precision) -> None:
+    Ints of a struct are those of the stand, the same in all lanes, and stay as they are; those of a result are reals.
+    """
+
+    def __init__(self, precision: Precision, results: Collection[str] = ()) -> None:
+        """`results`: names of the structs that are results of functions with a batch."""
+        self._results = results
         self.lanes = BYTES * 8 // precision.width
         purpose = f"{self.lanes} reals, one a state"
         self.real = Struct("wide", purpose, (Field("at", Kind.REAL, (self.lanes,)),))
+        self.int = Struct("wide_int", f"{self.lanes} ints, one a state", (Field("at", Kind.INT, (self.lanes,)),))
         self.word = Struct("wide_word", f"{self.lanes} words, one a state", (Field("at", Kind.WORD, (self.lanes,)),))
         self._structs: dict[str, Struct] = {}
 
     def of(self, type_: Kind | Struct) -> Kind | Struct:
-        """The wide form of a type."""
+        """The wide form of a type; of a condition words 1 and 0."""
         if isinstance(type_, Struct):
             return self._struct(type_)
-        if type_ is Kind.BOOL:
-            raise TypeError("a condition is not kept from one stretch of code to the next")
-        return {Kind.REAL: self.real, Kind.WORD: self.word}.get(type_, type_)
+        return {Kind.REAL: self.real, Kind.INT: self.int}.get(type_, self.word)
 
     def _struct(self, struct: Struct) -> Struct:
         if struct.name not in self._structs:
-            fields = tuple(replace(f, type=self.of(f.type)) for f in struct.fields)
+            fields = tuple(replace(f, type=self._of_field(f, struct)) for f in struct.fields)
             purpose = f"{struct.purpose.rstrip('.')}; of {self.lanes} states side by side."
             self._structs[struct.name] = Struct(f"wide_{struct.name}", purpose, fields)
         return self._structs[struct.name]
+
+    def _of_field(self, f: Field, struct: Struct) -> Kind | Struct:
+        if f.type is Kind.INT:
+            return self.real if self.is_result(struct) else f.type
+        return self.of(f.type)
+
+    def is_result(self, type_: Kind | Struct) -> bool:
+        """Is a type a struct of results, whose ints vary?"""
+        return isinstance(type_, Struct) and type_.name in self._results
 
     def argument(self, a: Argument) -> Argument:
         """An argument in its wide form."""
@@ -119,7 +136,8 @@ class Widener:
 class Varying:
     """The variables of one function that vary, from its varying arguments; the others are the same for all states."""
 
-    def __init__(self, function: Function, arguments: Iterable[str]) -> None:
+    def __init__(self, function: Function, arguments: Iterable[str], wide: Wide) -> None:
+        self._wide = wide
         self._found = {id(a.variable) for a in function.arguments if a.name in arguments}
         while self._spread(function.body, False):
             pass
@@ -133,12 +151,18 @@ class Varying:
         self._found.add(id(variable))
 
     def expression(self, e: Expr) -> bool:
-        """Does an expression vary? Ints never do: they are the table's, of the structure."""
+        """Does an expression vary?"""
         return any(isinstance(x, Place) and self.place(x) for x in inside(e))
 
     def place(self, place: Place) -> bool:
-        """Does a place, whole or scalar, vary?"""
-        return id(place.root) in self._found and place.type is not Kind.INT
+        """Does a place, whole or scalar, vary? Ints of a struct do in results only."""
+        if id(place.root) not in self._found:
+            return False
+        return place.type is not Kind.INT or isinstance(place.root.type, Kind) or self._wide.is_result(place.root.type)
+
+    def index(self, place: Place) -> bool:
+        """Does an index of a place vary?"""
+        return any(isinstance(step, Expr) and self.expression(step) for step in place.path)
 
     def arguments(self, call: Call) -> frozenset[str]:
         """Names of the parameters of a call that get something that varies, results included."""
@@ -149,7 +173,7 @@ class Varying:
         before = len(self._found)
         for s in body:
             match s:
-                case Let(variable, value) if condition or self.expression(value):
+                case Let(variable, value) if self.expression(value):
                     self._found.add(id(variable))
                 case Set(place, value) | Copy(place, value) if condition or self.expression(value):
                     self._found.add(id(place.root))
@@ -188,11 +212,13 @@ class _Widening:
     def __init__(self, widener: Widener, narrow: Function, names: frozenset[str]) -> None:
         self._widener, self._wide = widener, widener.wide
         self._narrow = narrow
-        self._varying = Varying(narrow, names)
+        self._varying = Varying(narrow, names, self._wide)
         local = {s.variable.name for s in statements(narrow.body) if isinstance(s, Let | Declare)}
         local |= {s.index.name for s in statements(narrow.body) if isinstance(s, Loop)}
         self._fresh = FreshNames(local | {a.name for a in narrow.arguments})
         self._unset: set[int] = set()
+        self._never_set: set[int] = set()
+        self._read_unset: set[int] = set()
         self._scopes: dict[int, Expr | None] = {}
         self._variables: dict[int, Variable] = {}
         self._users: dict[int, set[int]] = {}
@@ -204,7 +230,7 @@ class _Widening:
             argument = self._wide.argument(a) if self._varying.variable(id(a.variable)) else a
             arguments.append(argument)
             self._variables[id(a.variable)] = argument.variable
-        items = self._split(tuple(self._select(self._narrow.body, None)))
+        items = self._split(self._with_zeros(tuple(self._select(self._narrow.body, None))))
         self._count(items)
         return replace(self._narrow, arguments=tuple(arguments), body=tuple(self._join(items)))
 
@@ -216,34 +242,42 @@ class _Widening:
         for s in body:
             match s:
                 case Set(place, value) if where is not None and not self._is_private(place, where):
+                    if id(place.root) in self._never_set:
+                        self._read_unset.add(id(place.root))
+                    place = self._guarded(place, where)
                     new = place + value if s.add else value
                     statements.append(Set(place, select(where, new, place), s.comment))
                 case Set(place):
                     self._unset.discard(id(place.root))
+                    self._never_set.discard(id(place.root))
                     statements.append(s)
                 case When(condition) if self._varying.expression(condition):
                     statements += self._when(s, where)
                 case When(condition) if where is not None and not _on_ints(condition):
                     statements += self._when(s, where)
-                case When() if where is None:
-                    yes, no = self._select(s.body, None), self._select(s.otherwise, None)
+                case When():
+                    yes, no = self._select(s.body, where), self._select(s.otherwise, where)
                     statements.append(replace(s, body=tuple(yes), otherwise=tuple(no)))
-                case Loop() if where is None:
+                case Loop():
                     # What was declared before the loop may have a value from the turn before.
                     before, self._unset = self._unset, set()
-                    statements.append(replace(s, body=tuple(self._select(s.body, None))))
+                    statements.append(replace(s, body=tuple(self._select(s.body, where))))
                     self._unset = before
                 case Declare(variable):
                     if (
                         variable.written and variable.place.is_scalar
                     ):  # its first value is every state's: none reads it before its own
                         self._unset.add(id(variable))
+                    if isinstance(variable.type, Kind) and all(int(length) == 1 for length in variable.shape):
+                        self._never_set.add(id(variable))
                     self._scopes[id(variable)] = where
                     statements.append(s)
                 case Let() | Note():
                     statements.append(s)
                 case Do(call) if where is None:
-                    self._unset -= {id(a.root) for a in call.arguments if isinstance(a, Place)}
+                    passed = {id(a.root) for a in call.arguments if isinstance(a, Place)}
+                    self._unset -= passed
+                    self._never_set -= passed
                     statements.append(s)
                 case Copy() if where is None:
                     statements.append(s)
@@ -256,28 +290,61 @@ class _Widening:
         root = id(place.root)
         return root in self._unset or self._scopes.get(root) is where
 
+    def _with_zeros(self, body: Statements) -> Statements:
+        """A body where single numbers are 0 at first that a choice reads before they have a value."""
+        made: list[Statement] = []
+        for s in body:
+            made.append(with_blocks(s, self._with_zeros))
+            if isinstance(s, Declare) and id(s.variable) in self._read_unset:
+                place = s.variable.place
+                while place.shape:
+                    place = place[0]
+                made.append(Set(place, Const(0, place.kind)))
+        return tuple(made)
+
     def _when(self, s: When, where: Expr | None) -> list[Statement]:
         """Both branches of a condition that varies."""
         if where is None and not s.otherwise and any(isinstance(x, Do) for x in s.body) and _only_refuse(s.body):
             return self._anywhere(s)
         condition = s.condition if where is None else and_(where, s.condition)
-        if len(s.body) == 1 and not s.otherwise:
+        cut = self._is_cut(s)
+        if len(s.body) == 1 and not s.otherwise and not cut:
             return self._select(s.body, condition)
         kept = Let(Variable(self._fresh("where"), Kind.BOOL), condition)
         self._varying.add(kept.variable)
-        statements: list[Statement] = [kept, *self._select(s.body, kept.variable.place)]
+        applies = kept.variable.place
+        if cut and not s.otherwise:
+            return [kept, *self._if_any(applies, self._select(s.body, applies))]
+        statements: list[Statement] = [kept, *self._select(s.body, applies)]
         if s.otherwise:
-            otherwise: Expr = Not(kept.variable.place)
+            otherwise: Expr = Not(applies)
             statements += self._select(s.otherwise, otherwise if where is None else and_(where, otherwise))
         return statements
 
+    def _is_cut(self, s: When) -> bool:
+        """Are there several stretches under a condition, because of a loop or of a condition on ints of the stand?"""
+        return any(
+            isinstance(x, Loop)
+            or (isinstance(x, When) and _on_ints(x.condition) and not self._varying.expression(x.condition))
+            for x in statements((*s.body, *s.otherwise))
+        )
+
+    def _if_any(self, condition: Expr, body: list[Statement]) -> list[Statement]:
+        """Statements that are done for all states where the condition holds for one of them."""
+        flag = Variable(self._fresh("any"), Kind.WORD, written=True)
+        gathered = Set(flag.place, flag.place | select(condition, word(1), word(0)))
+        return [Declare(flag), Set(flag.place, word(0)), gathered, When(unequal(flag.place, word(0)), tuple(body))]
+
+    def _guarded(self, place: Place, where: Expr) -> Place:
+        """A place whose index is 0 where it has no meaning: of states that are not under `where`."""
+        if not self._varying.index(place):
+            return place
+        steps = (select(where, step, integer(0)) if isinstance(step, Expr) else step for step in place.path)
+        return Place(place.root, tuple(steps), place.type, place.shape)
+
     def _anywhere(self, s: When) -> list[Statement]:
         """Calls that do nothing but refuse, of every state that they have to: done for all where one state needs it."""
-        flag = Variable(self._fresh("any"), Kind.WORD, written=True)
-        bit = select(s.condition, word(1), word(0))
-        gathered = Set(flag.place, flag.place | bit)
-        body = tuple(self._select(s.body, None))
-        return [Declare(flag), Set(flag.place, word(0)), gathered, When(unequal(flag.place, word(0)), body)]
+        return self._if_any(s.condition, self._select(s.body, None))
 
     # -- cutting into stretches ----------------------------------------------------------------------------------------
 
@@ -363,8 +430,14 @@ class _Widening:
                     elif users:
                         outer.append(replace(s, variable=self._widen_variable(variable)))
                 case Let(variable, value) if len(self._users[id(variable)]) > 1:
-                    outer.append(Declare(self._widen_variable(variable), s.comment))
-                    inner.append(map_expressions(Set(variable.place, value), lambda e: self._expr(e, index.place)))
+                    lanes = self._widen_variable(variable)
+                    outer.append(Declare(lanes, s.comment))
+                    if variable.type is Kind.BOOL:
+                        value = select(value, word(1), word(0))
+                    inner.append(Set(lanes.place.at[index.place], self._expr(value, index.place)))
+                case Set(place, value) if place.type is Kind.INT and self._wide.is_result(place.root.type):
+                    whole = cast(Place, self._leaf(place, index.place))
+                    inner.append(Set(whole, Convert(self._expr(value, index.place), Kind.REAL)))
                 case _:
                     inner.append(map_expressions(s, lambda e: self._expr(e, index.place)))
         yield from outer
@@ -382,16 +455,20 @@ class _Widening:
         expression = rebuilt(e, lambda place: self._leaf(place, lane))
         return expression if lane is None else _without_branches(expression)
 
-    def _leaf(self, place: Place, lane: Place | None) -> Place:
+    def _leaf(self, place: Place, lane: Place | None) -> Expr:
         """A place after its root has become wide; for a scalar, its element at `lane`."""
         variable = self._variables.get(id(place.root))
         if variable is None or variable is place.root:
             return place
-        type_ = self._wide.of(place.type)
+        type_ = place.type
+        if self._varying.place(place):
+            type_ = (
+                self._wide.real if isinstance(place.root.type, Struct) and type_ is Kind.INT else self._wide.of(type_)
+            )
         whole = Place(variable, place.path, type_, place.shape)
         if place.shape or type_ is place.type or lane is None or not isinstance(place.type, Kind):
             return whole
-        return whole.at[lane]
+        return unequal(whole.at[lane], word(0)) if place.type is Kind.BOOL else whole.at[lane]
 
 
 def _without_branches(e: Expr) -> Expr:
