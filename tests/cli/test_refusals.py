@@ -83,6 +83,7 @@ CASES = [
     ("vibration", "--improve --seed -1", "--seed -1: expected a whole number of at least 0"),
     ("vibration", "--improve --harmonics all=wheel.csv", "--improve: expected one set of speeds, and no makers'"),
     ("plan", "--stand new.toml", "--stand: needs --free KEYS"),
+    ("plan", "--free '*t.mass' -o p.json", "--stand: missing, expected a file for the stand with the moved numbers"),
     ("plan", "-o .", "-o .: expected a name that ends in .json or .csv"),
     ("generate", "-o c.svg", "-o c.svg: expected a folder"),
     ("plan", "--method ocp", "(13) needs at least 6"),

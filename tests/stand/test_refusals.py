@@ -288,6 +288,14 @@ def test_a_key_that_cannot_be_read_does_not_hide_what_is_unphysical() -> None:
     assert any("break the triangle inequality" in line for line in lines)
 
 
+def test_an_item_that_cannot_be_read_does_not_hide_what_the_others_name() -> None:
+    terms = ('{ wrench = "X", of = ["u", "a.speed"], value = 1 }', '{ wrench = "X", of = [], value = 1 }',
+             '{ wrench = "X", of = ["b.speed"], value = 1 }')  # fmt: skip
+    lines = refusal(BASE + f"control_derivatives = {{ terms = [{', '.join(terms)}] }}\n")
+    assert len(lines) == 2 and "carrier, control_derivatives, terms[1], of: expected one to four factors" in lines[0]
+    assert 'carrier, control_derivatives, terms, of: no "a.speed", "b.speed" on this body' in lines[1]
+
+
 @pytest.mark.parametrize("key", ['center_of_mass = ["1 kg", 0, 0]', "inertia_abot = 3", "center_of_mas = [1, 0, 0]"])
 def test_where_mass_properties_cannot_be_read_nothing_is_guessed_of_them(key: str) -> None:
     (line,) = refusal(BASE + WHEEL.replace("0.02, 0.01, 0.01", "0.05, 0.01, 0.01") + key + "\n")

@@ -1,10 +1,12 @@
-"""Stand file -> Stand, and back. Every problem of a file is found before any is reported."""
+"""Stand file -> Stand, and back. Problems of a file are reported together, but those that mended keys decide."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from copy import deepcopy
 from dataclasses import dataclass, fields
-from functools import partial
+from functools import partial, reduce
+from operator import getitem
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Generic, TypeVar
@@ -215,18 +217,25 @@ def _bodies(
 def _valid(problems: Problems, where: str, table: type[Table], raw: Any) -> Any:
     """The valid table; None where it is not in order, which is noted.
 
-    It is read without its unreadable keys, so that unphysical values in the rest are reported as well, unless a bad key
-    says, or may be meant to say, what the checks of a body take.
+    It is read without its unreadable keys, and lists of tables without such items, so that unphysical values in the
+    rest are reported as well, unless a bad key says, or may be meant to say, what the checks of a body take.
     """
     valid, faults = read_table(table, raw)
     problems.add_all(where, faults)
     if valid is not None or not isinstance(raw, dict):
         return valid
     known = keys_of(table)
-    bad = {str(way[0]) for way, *_ in faults if way} | raw.keys() - known
-    if not bad or {nearest(key, known) for key in bad} & _CHECKED:
+    items = (next((i for i, step in enumerate(way) if isinstance(step, int)), 0) for way, *_ in faults)
+    bad = {way[: last + 1] for (way, *_), last in zip(faults, items, strict=True) if way}
+    bad |= {(key,) for key in raw.keys() - known}
+    if not bad or {nearest(str(way[0]), known) for way in bad} & _CHECKED:
         return None
-    return read_table(table, {key: value for key, value in raw.items() if key not in bad})[0]
+    rest = deepcopy(raw)
+    for *way, last in sorted(bad, reverse=True):  # of a list the last first
+        place = reduce(getitem, way, rest)
+        if isinstance(place, list) or last in place:
+            del place[last]
+    return read_table(table, rest)[0]
 
 
 def _table(problems: Problems, document: dict[str, Any], key: str) -> list[_Item]:

@@ -169,13 +169,11 @@ class ControlDerivatives(BodyLaw):
 
     def problem(self, body: Body) -> tuple[str, str] | None:
         """Where a derivative names what the body does not bear."""
-        for k, term in enumerate(self.terms):
-            for factor in term.of:
-                if isinstance(factor, Control) and factor.source not in body.inputs:
-                    known = ", ".join(body.inputs) or "no fin and no propeller"
-                    words = f'no "{factor.source}" on this body, which has {known}'
-                    return f"control_derivatives.terms[{k}]", words
-        return None
+        sources = (factor.source for term in self.terms for factor in term.of if isinstance(factor, Control))
+        missing = dict.fromkeys(f'"{source}"' for source in sources if source not in body.inputs)
+        known = ", ".join(body.inputs) or "no fin and no propeller"
+        words = f"no {', '.join(missing)} on this body, which has {known}"
+        return ("control_derivatives, terms, of", words) if missing else None
 
     @classmethod
     def random_on(cls, draw: Draw, body: Body) -> Self | None:

@@ -72,7 +72,7 @@ def plan(
         stand: the stand file.
         motion: read the required motion, or a slew, from this file.
         free: move numbers of the stand too: paths, as w*.position; commas part several.
-        stand_: write the stand that results of free numbers to this file, .toml.
+        stand_: write the stand that results of free numbers to this file, .toml; needed beside a programme's file.
         method: plan by fourier; or solve (13) from there as it is printed, by IPOPT, as its judge.
         time: limit the search, s or "1 min"; run-ups after it, if any, have half of the time.
         seed: draw the starts from this seed.
@@ -91,6 +91,10 @@ def plan(
     if stand_ is not None:
         output_format("stand_", stand_, read, (".toml",))
     form = "" if output is None else output_format("output", output, read, FORMATS)
+    if keys and form == ".json" and stand_ is None:
+        raise UsageError(
+            "stand_: missing, expected a file for the stand with the moved numbers: the programme is of it"
+        )
     machine, options = Stand.of(stand), PlanOptions(seed, time_limit("time", time))
     required = required_of(motion, machine)
     result, made, changes = _planned(
@@ -143,10 +147,7 @@ def _programme(plan: Plan) -> dict[str, Any] | None:
     """Keys of the programme file; None: there is none."""
     from mahovik.core.motion.programme import programme_text
 
-    if not plan.programmes:
-        return None
-    keys: dict[str, Any] = json.loads(programme_text(plan.programmes[0]))
-    return keys
+    return dict(json.loads(programme_text(plan.programmes[0]))) if plan.programmes else None
 
 
 def _result(
