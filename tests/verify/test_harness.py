@@ -196,6 +196,9 @@ def test_reports_as_json_and_junit() -> None:
     (case,) = ET.fromstring(as_junit(broken)).iter("failure")
     assert "; ?? & <missing>" in str(case.get("message"))
     assert conclusion(broken) == "FAILED: forward V_dot"
+    for every in (False, True):  # no row of a long table that failed is left out
+        text = report_result(replace(report, rows=(bad,) * 50), everything=every).text()
+        assert text.count("& <missing>") == 50
 
     empty = replace(report, rows=())
     assert not empty.passed

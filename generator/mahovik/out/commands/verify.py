@@ -345,7 +345,7 @@ def report_result(
     if worst is not None and (lines := worst_lines(report)):
         write(Path(worst), lines)
         messages.append(f"worst states: {worst}")
-    checks = Result("", columns_of(report.rows, dict.fromkeys(CHECK_COLUMNS, "")), whole=True)
+    checks = Result("", columns_of(report.rows, dict.fromkeys(CHECK_COLUMNS, "")))
     hidden = () if not everything or checks.count else CHECK_COLUMNS
     short, absent = _shortest(report.rows)
     if not everything and absent:
@@ -359,6 +359,7 @@ def report_result(
         meta=about | {"rows": checks} | dict(more or {}),
         messages=messages,
         ok=report.passed,
+        whole=True,
         details=(*about, "rows", *hidden, *(more or {})),
         drawings=[_shares(report.rows)] if any(row.limit for row in report.rows) else [],
     )
