@@ -53,6 +53,16 @@ def test_angles_are_those_of_the_sequence() -> None:
     assert np.array_equal(many.attitude[1], x.attitude)
 
 
+def test_numbers_by_name_are_the_states_that_they_make() -> None:
+    m = model("bench8")
+    twist = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
+    assert np.array_equal(m.momentum({}).Z, m.momentum(m.state()).Z)
+    assert np.array_equal(m.momentum({"V": twist}).Z, m.momentum(m.state(V=twist)).Z)
+    assert np.array_equal(m.momentum(dict(m.states(2, V=twist))).Z, m.momentum(m.states(2, V=twist)).Z)
+    with pytest.raises(mahovik.InputError, match="unknown V u, did you mean"):
+        m.momentum({"V u": 1.0})
+
+
 def test_quaternions_are_made_unit_within_the_promised_bound() -> None:
     m = model("bench8")
     assert np.linalg.norm(m.state(attitude=[1.0005, 0, 0, 0]).attitude) == 1.0

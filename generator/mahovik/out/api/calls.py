@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from enum import IntEnum
-from typing import Any, Literal, TypedDict
+from typing import Any, Literal, TypedDict, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,7 +24,7 @@ from mahovik.errors import InputError
 from mahovik.nearest import suggestion
 from mahovik.out.api import inputs
 from mahovik.out.api.inputs import PLACE, QUATERNION, TWIST, WRENCH, Given
-from mahovik.out.api.states import StateMaker, States
+from mahovik.out.api.states import StateMaker, StateNumbers, States
 from mahovik.out.api.tables import Tables
 from mahovik.out.arguments import time
 from mahovik.out.result import Axis, Column, Result
@@ -295,16 +295,15 @@ class Calls:
         records["rounding"] = carry
         return records
 
-    def array(self, x: Any) -> Array:
-        """States as an array of shape (n, k) or (k,). Raises InputError."""
-        if isinstance(x, States):
-            if x.flywheels != self.flywheels:
-                raise InputError(f"states of another stand: {x!r}, expected states of {self.stand.name}")
-            return x.array
-        result = inputs.read(x, "states", self.maker.numbers)
-        if result.ndim == 0:
-            raise InputError(f"states: expected States or shape (n, {self.maker.components}), found a number")
-        return result
+    def array(self, x: States | Mapping[str, Any] | ArrayLike) -> Array:
+        """States, or numbers by name that `states` takes, as an array (n, k) or (k,). Raises InputError."""
+        if isinstance(x, Mapping):
+            x = self.maker.states(None, cast(StateNumbers, x))
+        elif not isinstance(x, States):
+            x = self.maker.of_array(x)
+        if x.flywheels != self.flywheels:
+            raise InputError(f"states of another stand: {x!r}, expected states of {self.stand.name}")
+        return x.array
 
     def _number(self, value: Any, what: str) -> Array:
         numbers = inputs.numbers(value, what)

@@ -23,8 +23,8 @@ from mahovik.out.result import Result, column
 if TYPE_CHECKING:
     from mahovik.core.motion.regime import Regime
 
-StatesLike = States | ArrayLike
-"""`States`, or an array of shape (n, 13 + 2 N), or (13 + 2 N,) of one state."""
+StatesLike = States | Mapping[str, Any] | ArrayLike
+"""`States`, what `Model.states` takes by name, or an array of shape (n, 13 + 2 N), or (13 + 2 N,) of one state."""
 
 
 def build(stand: Stand, *, real: Real = "double", compiler: str | None = None, threads: int = 1) -> Model:
@@ -48,10 +48,10 @@ def build(stand: Stand, *, real: Real = "double", compiler: str | None = None, t
 class Model:
     """Functions of a stand for one state or many; made by `mahovik.build`.
 
-    `x` is `States` or an array of shape (n, 13 + 2 N), or (13 + 2 N,) of one state. Other inputs are arrays of shape
-    (n, k), or (k,) for all states alike, or one number for all, or numbers by the name of the flywheel; what is not
-    given is zero. Each answers a `Result` of arrays with the batch axis first, and without it where all inputs are of
-    one state; its column `status` has what the C said of each state, see `mahovik.Status`.
+    `x` is `States`, what `states` takes by name, or an array (n, 13 + 2 N) or (13 + 2 N,). Other inputs are arrays of
+    shape (n, k), or (k,) for all states alike, or one number for all, or numbers by the name of the flywheel; what is
+    not given is zero. Each answers a `Result` of arrays with the batch axis first, and without it where all inputs are
+    of one state; its column `status` has what the C said of each state, see `mahovik.Status`.
 
     All take `wrench=`, N and N m, six numbers by the name of a body, in its frame about its origin (not `momentum` and
     `points`); `tables=` of `Model.tables`: state j is of the stand of sample j; `on_error="nan"`: the results of a
