@@ -233,6 +233,24 @@ def test_both_backends_answer_a_task_alike_and_the_second_derivation_confirms_th
     assert statuses == ["OK", "LIMITED|UNREACHABLE"]
 
 
+def test_weights_of_the_file_decide_which_flywheels_turn_in_both_backends() -> None:
+    """Equal flywheels on one axis share a demand as the inverses of their weights, by either want."""
+    flywheel = {"mass": 0.2, "spin_inertia": 2e-4, "transverse_inertia": 1e-4}
+    wheels = [{"name": "a", "inverse_weight": 9.0, **flywheel}, {"name": "b", **flywheel}]
+    carrier = {"mass": 3.0, "inertia": [0.1, 0.2, 0.25]}
+    turn = {"rows": ["wx"]}
+    of = mahovik.Stand.from_dict(
+        {"schema": 1, "name": "ww", "carrier": carrier, "flywheel": wheels, "task": {"turn": turn}}
+    )
+    task = {"task": "turn", "demand": [1.0]}
+    for backend in (CBackend(of), NumpyBackend(of)):
+        lines = [{**task, "want": ["inverse"]}, {"V_dot": [0, 0, 0, 1.0, 0, 0], "want": ["inverse"]}]
+        stream = io.BytesIO("\n".join(map(json.dumps, [*lines, {**task, "want": ["torque_for"]}])).encode())
+        answered = [json.loads(text) for text, _ in evaluate_lines(of, backend, split_lines(stream))]
+        for answer, name in zip(answered, ("phi_ddot", "phi_ddot", "tau"), strict=True):
+            assert answer[name][1] == pytest.approx(9.0 * answer[name][0], rel=1e-12)
+
+
 @pytest.mark.parametrize(
     ("line", "words"),
     [

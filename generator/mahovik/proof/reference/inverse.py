@@ -107,12 +107,20 @@ def scaled_demand(at: Pieces, V_dot: Array) -> ScaledDemand:
     return ScaledDemand(S.T @ at.I, S.T @ demand(at, V_dot), inverse_root(S.T @ at.K @ S), inverse_root(at.Theta_ff).T)
 
 
-def least_error(scaled: ScaledDemand, cuts: Cuts = CUTS) -> Inverse:
-    """Least |r - W y|, then least |y|."""
+def weights(stand: Stand) -> Array:
+    """`inverse_weight` of the flywheels (N)."""
+    return vector([s.inverse_weight for s in stand.flywheels])
+
+
+def least_error(scaled: ScaledDemand, weight: Array, cuts: Cuts = CUTS) -> Inverse:
+    """Least |r - W y|, then least sum weight_s y_s^2."""
     W, r = scaled.W, scaled.r
     U, sigma, Vt = np.linalg.svd(W, full_matrices=False)
     rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
-    phi_ddot = scaled.phi_ddot(Vt[:rank].T @ ((U[:, :rank].T @ r) / sigma[:rank]))
+    if np.all(weight == 1.0):
+        phi_ddot = scaled.phi_ddot(Vt[:rank].T @ ((U[:, :rank].T @ r) / sigma[:rank]))
+    else:
+        phi_ddot = weighted_solution(scaled, weight, rank)
     residual = scaled.c - scaled.A @ phi_ddot
     bits = {
         "NEAR_SINGULAR": rank and sigma[rank - 1] < cuts.near_singular * sigma[0],
@@ -127,16 +135,11 @@ def status_of(bits: Mapping[str, Any]) -> str:
     return "|".join(name for name, is_set in bits.items() if is_set) or "OK"
 
 
-def inverse(at: Pieces, V_dot: Array, cuts: Cuts = CUTS) -> Inverse:
-    """(12) of a free or held carrier for a demanded V_dot (6)."""
-    return least_error(scaled_demand(at, V_dot), cuts)
-
-
 def answer_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
     """phi_ddot (N), status, residual (m), sigma (min(m, N)), rank: (12). StateError: no freedoms, or no flywheels."""
     if stand.hold is not None and (fault := inverse_fault(len(stand.hold.freedoms), len(at.phi_dot))):
         raise StateError(f"want: {fault}")
-    answer = inverse(at, vector(state.V_dot), cuts)
+    answer = least_error(scaled_demand(at, vector(state.V_dot)), weights(stand), cuts)
     return vars(answer) | with_excess(answer, at, stand, forward(at, answer.phi_ddot))
 
 
@@ -332,10 +335,10 @@ def scaled_task(at: Pieces, rows: TaskRows, demand: Array) -> ScaledDemand:
 def answer_task(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
     """phi_ddot (N), V_dot (6), residual (m), sigma (min(m, N)), rank, status of the state's task. Raises StateError.
 
-    Least error of the demand in the norm of G^-1, then least phi'' in the norm of Theta_ff.
+    Least error of the demand in the norm of G^-1, then least phi'' in the norm of Theta_ff and the weights.
     """
     rows, demand = task_of_state(at, stand, state)
-    least = least_error(scaled_task(at, rows, demand), cuts)
+    least = least_error(scaled_task(at, rows, demand), weights(stand), cuts)
     V_dot = forward(at, least.phi_ddot)
     motion = {"V_dot": V_dot, "residual": demand - rows.acceleration(V_dot)}
     return vars(least) | motion | with_excess(least, at, stand, V_dot)
@@ -439,9 +442,11 @@ def answer_torque_for(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS)
     none = np.zeros(len(stand.flywheels))
     asked = torque_demand(at, rows, demand, none, none.astype(bool))
     least, most = motor_bounds(stand, at)
-    low, high = asked.from_torque(least), asked.from_torque(most)
-    y, free = least_within(asked.W, asked.r, low, high)
-    tau = np.where(free, asked.torque(y), np.where(y <= low, least, most))
+    root = 1.0 / np.sqrt(weights(stand))  # y = root z: the least z
+    low, high = asked.from_torque(least) / root, asked.from_torque(most) / root
+    z, free = least_within(asked.W * root, asked.r, low, high)
+    y = root * z
+    tau = np.where(free, asked.torque(y), np.where(z <= low, least, most))
     V_dot, phi_ddot = coupled(at, tau)
     reached = cuts.reached * np.linalg.norm(asked.r)
     bits = {"LIMITED": not free.all(), "UNREACHABLE": np.linalg.norm(asked.r - asked.W @ y) > reached}

@@ -196,13 +196,7 @@ class FunctionBackend(ABC):
             "tau": state.tau,
             "locked": [0] * len(state.phi),
             "wrench": wrench,
-            "options": {  # of `inverse`: by the stand file what each flywheel has, the rest by default
-                **self._options,
-                "weight": [1.0] * len(state.phi),
-                "limit": [self.layout.precision.largest] * len(state.phi),
-                "near_singular": NEAR_SINGULAR_BELOW,
-                "damping": 0.0,
-            },
+            "options": {**self._options, "near_singular": NEAR_SINGULAR_BELOW},
         }
 
     def _call(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:

@@ -210,11 +210,11 @@ class TorqueCase:
 
 
 def motor_options(stand: Stand) -> dict[str, Any]:
-    """Options of `eval`: weights 1, motors of the stand file, no power, no wanted speeds."""
+    """Options of `eval`: weights and motors of the stand file, no power, no wanted speeds."""
     motors = [wheel.motor for wheel in stand.flywheels]
     curves = [np.transpose(m.limit if m and m.torque_speed else ((0.0, np.inf),)).tolist() for m in motors]
     return {
-        "weight": [1.0] * len(motors),
+        "weight": [wheel.inverse_weight for wheel in stand.flywheels],
         "motor_torque": [np.inf if m is None or m.torque is None else m.torque for m in motors],
         "motor_speed": [np.inf if m is None or m.speed is None else m.speed for m in motors],
         "motor_curve_speed": [speeds for speeds, _ in curves],

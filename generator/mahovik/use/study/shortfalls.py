@@ -26,7 +26,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.algebra import Array, times
 from mahovik.proof.reference.evaluate import held_state
-from mahovik.proof.reference.inverse import CUTS, TaskRows, least_error, scaled_task, shares_of, task_rows
+from mahovik.proof.reference.inverse import CUTS, TaskRows, least_error, scaled_task, shares_of, task_rows, weights
 from mahovik.proof.reference.motion import bias, forward, torque
 from mahovik.proof.reference.pieces import (
     Bodies,
@@ -146,11 +146,15 @@ def _needed_share(stand: Stand, at: Pieces, rows: TaskRows) -> Array:
 
     The drive torques are linear in the motion that a flywheel makes: tau = tau_0 + I^T V* + Theta_ff phi''.
     """
+
+    def answer(demand: Array) -> Array:
+        return least_error(scaled_task(at, rows, rows.s + demand), weights(stand)).phi_ddot
+
     m, none = len(rows.S), np.zeros(len(stand.flywheels))
-    still, at_rest = least_error(scaled_task(at, rows, rows.s)).phi_ddot, torque(at, np.zeros(6), none)
+    still, at_rest = answer(np.zeros(m)), torque(at, np.zeros(6), none)
 
     def shares(demand: Array) -> Array:
-        phi_ddot = least_error(scaled_task(at, rows, rows.s + demand)).phi_ddot - still
+        phi_ddot = answer(demand) - still
         tau = at_rest + at.I.T @ forward(at, phi_ddot) + np.diag(at.Theta_ff) * phi_ddot
         return shares_of(stand, at, tau, phi_ddot)
 
