@@ -153,11 +153,11 @@ CASES = (("general", "double"), ("everything", "float"), ("rigid", "double"))
 
 
 def outcome(backend: Any, state: Any, want: str) -> Any:
-    """Result of a want, every number as Python prints it; or the words of a refusal."""
+    """Result of a want, every number as Python prints it; or that it is refused, in whatever words."""
     try:
         return repr(plain(backend.evaluate(state, [want])))
-    except StateError as error:
-        return f"refused: {error}"
+    except StateError:
+        return "refused"
 
 
 def plain(value: Any) -> Any:
@@ -185,5 +185,5 @@ def test_bits_are_those_of_the_harness(name: str, real: str) -> None:
         for want in WANTS:
             answers = outcome(kept, state, want)
             assert answers == outcome(everywhere if state.wrench else judged, state, want), want
-            seen.add(answers.startswith("refused"))
+            seen.add(answers == "refused")
     assert seen == {True, False}

@@ -6,7 +6,7 @@ import copy
 import re
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -26,6 +26,7 @@ from mahovik.out.commands.check import check
 from mahovik.out.commands.report import bodies_part
 from mahovik.proof import reference
 from mahovik.proof.reference.pieces import stream_at
+from mahovik.proof.verify.backends import KeptBackend
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import draw
 from mahovik.use.numeric.frame import uniform_stream
@@ -131,7 +132,7 @@ def test_wrong_numbers_of_the_profile_are_refused(wrong: tuple[Any, ...]) -> Non
 
 @pytest.mark.parametrize("depth", [-0.001, 50.001, 1e5])
 def test_a_depth_beyond_the_profile_is_refused(depth: float) -> None:
-    """The C returns RANGE, the references say it in words."""
+    """The C returns RANGE, the references say it in words, and so does `eval` of the C."""
     from mahovik.proof.second import Second
 
     stand = loads(FILE)
@@ -141,8 +142,9 @@ def test_a_depth_beyond_the_profile_is_refused(depth: float) -> None:
     for judged, table in ((c, {}), (c.interpreter, {"table": c.table()})):
         for name in ("forward", "matrices", "momentum", "forward_jacobian", "step"):
             assert judged.call(name, inputs | table)[0] == -2, name
-    for ask in (Second(stand).evaluate, lambda s, w: reference.evaluate(stand, s, w)):
-        with pytest.raises(StateError, match="is outside of stream_profile"):
+    asked = (Second(stand).evaluate, KeptBackend(stand, "double").evaluate, partial(reference.evaluate, stand))
+    for ask in asked:
+        with pytest.raises(StateError, match=f"position: depth {depth:.6g} m is outside of stream_profile"):
             ask(state, ["forward"])
 
 
