@@ -18,7 +18,8 @@ import pytest
 import mahovik
 from cli.run import BENCH8, DEMO3, process, refused, run
 from mahovik import stands
-from mahovik.contract.functions import wants_of, wants_of_carrier
+from mahovik.contract.evaluation import STATE, text_lines
+from mahovik.contract.functions import ALL_WANTS, wants_of, wants_of_carrier
 from mahovik.core.motion.programme import load_programme
 from mahovik.core.stand import load
 from mahovik.out.command_line import make_command, read_docstring
@@ -47,6 +48,16 @@ def test_a_command_says_what_each_of_its_arguments_is(name: str) -> None:
     assert words and all(words[-1] == "." for words in entries.values())
     made = make_command(name)
     assert all(getattr(one, "help", "") for one in made.params if isinstance(one, click.Option))
+
+
+@pytest.mark.parametrize("command", ["eval", "judge"])
+def test_help_of_judged_programs_has_their_contract(command: str) -> None:
+    """Every key of a state with unit, frame and default, and every want with the keys of its answer."""
+    contract = text_lines("A state", "Wants")
+    shown = [line.strip() for line in run(command, "--help").output.splitlines()]
+    assert len(contract) <= 40
+    assert {line.strip() for line in contract} <= {*shown}
+    assert {*STATE, *ALL_WANTS} <= {line.split(" ")[0] for line in shown}
 
 
 def test_help_answers_at_once() -> None:

@@ -123,12 +123,16 @@ class Rig:
             phi = -phi
         if fault == "rpm":
             speed = speed * math.pi / 30
+        if fault == "order":
+            phi, speed = phi[::-1], speed[::-1]
         g = R.T @ np.array(self.file["gravity"]) * (-1 if fault == "gravity" else 1)
         total, mounts = np.zeros(6), np.zeros((N, 6))
         for k in self.parts:
             s = k.rotor
             C = k.axes @ (turn(0, phi[s]) if s >= 0 else np.eye(3))
-            r, e, J = C @ k.center, C[:, 0], C @ k.inertia @ C.T
+            still = {"still inertia": k.axes, "inertia": C.T}.get(fault, C)
+            still = np.eye(3) if fault == "inertia of arm" and k.name == "arm" else still
+            r, e, J = (k.axes if fault == "still centre" else C) @ k.center, C[:, 0], still @ k.inertia @ still.T
             c, Omega, spin = k.place + r, w.copy(), speed[s] * e if s >= 0 else np.zeros(3)
             inner = np.cross(spin if fault == "rate" and k.name == "w2" else w, r)
             acceleration = a + np.cross(w, v) + np.cross(alpha, c) + np.cross(w, np.cross(w, k.place) + inner)
@@ -136,12 +140,13 @@ class Rig:
             if s >= 0:
                 along = speed[s] * (fault == "still axis") * np.cross(np.cross(w, e), r)
                 Omega = w + spin
+                rate = rates[s] - (e @ alpha if fault == "absolute" else 0)
                 coriolis = 1 if fault == "coriolis" else 2
-                acceleration = acceleration + rates[s] * np.cross(e, r) + coriolis * np.cross(w, np.cross(spin, r))
+                acceleration = acceleration + rate * np.cross(e, r) + coriolis * np.cross(w, np.cross(spin, r))
                 acceleration = acceleration - along
                 if not (fault == "centripetal" and k.name == "w2"):
                     acceleration = acceleration + np.cross(spin, np.cross(spin, r))
-                turning = alpha + rates[s] * e + (0 if fault in ("omega x u", "still axis") else np.cross(w, spin))
+                turning = alpha + rate * e + (0 if fault in ("omega x u", "still axis") else np.cross(w, spin))
             force = k.mass * (acceleration - g)
             moment = J @ turning + (-1 if fault == "gyroscopic" and s >= 0 else 1) * np.cross(Omega, J @ Omega)
             arm = np.cross(r, k.mass * acceleration) + moment
@@ -163,11 +168,17 @@ class Rig:
         E_eq = ship(*np.array(table["angles"]) * (0 if fault == "equilibrium" else 1))
         position = np.array(state.get("position", np.zeros(3))) * (1e-3 if fault == "mm" else 1)
         displaced = position - table["position"]
-        x = np.concatenate([displaced if fault == "displacement" else R.T @ displaced, rotation_vector(E_eq.T @ R)])
+        turned = rotation_vector(E_eq.T @ R)
+        if fault == "sine":
+            turned = turned * np.sinc(np.linalg.norm(turned) / np.pi)
+        x = np.concatenate([displaced if fault == "displacement" else R.T @ displaced, turned])
         stiffness, damping = (np.array(table[key], dtype=float) for key in ("stiffness", "damping"))
         damping = np.diag(damping) if damping.ndim == 1 else damping
         if fault == "transposed":
             stiffness = stiffness.T
+        if fault == "damping":
+            L = np.kron(np.eye(2), R)
+            damping = L.T @ damping @ L
         wrench = -stiffness @ x - damping @ V
         up = np.array(file["gravity"]) * -file["carrier"]["buoyancy"]["displaced_mass"]
         up = up if fault == "buoyancy" else R.T @ up

@@ -17,7 +17,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof.diagnose.answers import Precision, Reference
 from mahovik.proof.diagnose.causes import READINGS, Reading, readings_of
-from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis, as_object, sentences
+from mahovik.proof.diagnose.columns import snapped
+from mahovik.proof.diagnose.diagnosis import Cause, Diagnoser, Diagnosis, as_object, sentences
 from mahovik.proof.reference.algebra import twists
 from mahovik.proof.second import Second
 from mahovik.proof.verify.states import Request
@@ -169,6 +170,19 @@ def test_a_diagnosis_as_data() -> None:
     assert data["found"][0] == {"fault": "quaternion conjugated", "share": 1.0}
     assert data["precision"] == {"name": "double", "accepted": 1e-11}
     assert as_object(Diagnosis("none"))["found"] == []
+
+
+def test_what_leaves_much_of_an_error_is_no_cause() -> None:
+    cause = Cause("centre of mass in mm")
+    diagnosis = Diagnosis("unnamed", (cause,), 0.365, wrong=("forward: V_dot",))
+    words = " ".join(sentences(diagnosis))
+    assert "no single cause explains it" in words and cause.name not in words
+    assert as_object(diagnosis)["found"] == [] and as_object(diagnosis)["verdict"] == "unnamed"
+
+
+def test_a_factor_is_0_or_1_where_its_rounding_does_not_tell_another() -> None:
+    cases = ((-3e-9, 1e-8), (1.0 - 2e-9, 1e-8), (-1.00002, 5e-5), (0.9999, 5e-5), (0.5, 1e-8))
+    assert [snapped(*case) for case in cases] == [0.0, 1.0, -1.0, 0.9999, 0.5]
 
 
 def test_missing_numbers_are_said_beside_a_fault_too() -> None:

@@ -158,13 +158,20 @@ def tables() -> dict[str, list[tuple[str, ...]]]:
     }
 
 
-def text_lines(width: int = 98) -> list[str]:
-    """The tables as text, for help and comments: columns, the last of which is folded."""
+def text_lines(*titles: str) -> list[str]:
+    """Tables as text, all of them or some, for help and comments: columns, the last of which is folded."""
     result: list[str] = []
     for title, rows in tables().items():
+        if titles and title not in titles:
+            continue
         widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]) - 1)]
         result += ["", f"{title}:"]
         for row in rows:
             start = "  " + "".join(f"{cell:{most + 2}}" for cell, most in zip(row, widths, strict=False))
-            result += wrap(row[-1], width=width, initial_indent=start, subsequent_indent=" " * len(start))
+            result += wrap(row[-1], width=98, initial_indent=start, subsequent_indent=" " * len(start))
     return result[1:]
+
+
+def text_of_help() -> str:
+    """What a state and the wants are, as paragraphs whose lines help keeps."""
+    return "\b\n" + "\n".join(text_lines("A state", "Wants")).replace("\n\n", "\n\n\b\n")

@@ -48,6 +48,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik import __version__
+from mahovik.contract.evaluation import text_of_help
 from mahovik.errors import MahovikError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.commands import COMMANDS
@@ -79,7 +80,8 @@ def make_command(name: str) -> click.Command:
             formats = "Write the result to this file: .csv, .json, .parquet, .svg or .png."
             params.append(click.Option(["-o", "save"], metavar="FILE", help=formats))
         params.append(click.Option(["--json", "as_json"], is_flag=True, help="Print JSON in place of tables."))
-    return _Command(name, callback=partial(_run, function), params=params, help=words)
+    epilog = text_of_help() if name in ("eval", "judge") else None
+    return _Command(name, callback=partial(_run, function), params=params, help=words, epilog=epilog)
 
 
 def read_docstring(function: Callable[..., Any]) -> tuple[str, dict[str, str]]:

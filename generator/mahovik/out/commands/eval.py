@@ -29,9 +29,8 @@ def eval(
 ) -> Result:
     """Evaluate states from standard input.
 
-    One JSON object per line; a result line for each, in order. `mahovik new adapter` writes the contract of both. With
-    a task `inverse` answers for its rows, `torque_for` with drive torques within what the motors have, and `torque`,
-    `mounts`, `points` take the motion that results.
+    One JSON object per line; a result line for each, in order. With a task `inverse` answers for its rows, `torque_for`
+    with drive torques within what the motors have, and `torque`, `mounts`, `points` take the motion that results.
 
     A state that cannot be evaluated gives an error line in its place; the exit status is then 1. In Python `states` are
     mappings or lines, or one, and `answers` of the result is the list of what the lines hold.

@@ -51,11 +51,10 @@ def judge(
 ) -> Result:
     """Judge a program, an FMU or a log by the reference, and find its fault.
 
-    Starts a program, gives it states, and compares every quantity that it offers with the literal reference. With
-    --explain a program that differs gets more states, and its error is compared with wrong readings, then with wrong
-    numbers of the stand file; where none is the cause, the few wrong terms are found whose sum is the error. An FMU is
-    a program too. A log has states of its own: all its rows are compared. `mahovik new adapter` writes a program to
-    begin with, which says what the contract of both is. Exit status 1 where it does not agree.
+    Compares every quantity that a program offers with the literal reference. With --explain the error of a program that
+    differs is compared with wrong readings, then with wrong numbers of the stand file; where none is the cause, the few
+    wrong terms are found whose sum is the error. All rows of a log are compared. `mahovik new adapter` writes a program
+    to begin with, and says what each answer is. Exit status 1 where it does not agree.
 
     Args:
         stand: the stand file, which the program reads.

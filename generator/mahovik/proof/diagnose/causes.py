@@ -22,8 +22,19 @@ from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.core.stand.stand_file import read
 from mahovik.errors import MahovikError, StandError, UsageError
 from mahovik.proof.diagnose.answers import AnswerVector, Model, Reference
-from mahovik.proof.reference.algebra import C1, Array, attitude, carrier_rotation, flywheel_mounting
-from mahovik.proof.reference.pieces import mount_transfer
+from mahovik.proof.reference.algebra import (
+    C1,
+    Array,
+    attitude,
+    block_diagonal,
+    carrier_rotation,
+    fixed_rotation,
+    flywheel_mounting,
+    rotation_vector,
+    skew_part,
+)
+from mahovik.proof.reference.evaluate import pieces
+from mahovik.proof.reference.pieces import inertia_about_origin, mount_transfer
 from mahovik.proof.verify.draw import freedom_rates, quaternion_of, with_angles
 from mahovik.proof.verify.states import stand_at
 
@@ -64,7 +75,8 @@ class Reading:
             state together
     keys    there; none of a body: the body itself
     change  of the numbers, and where they are
-    bodies  that may have it, all together or `only` one: "", "bodies", "fixed" ones, "flywheels", those with "inputs"
+    bodies  that may have it, all together or `only` one: "", "bodies", "fixed" ones, "instruments", "flywheels", those
+            with "inputs"
     """
 
     name: str
@@ -88,8 +100,10 @@ class Reading:
 
     def of_bodies(self, stand: Stand) -> Stand | None:
         """The stand with its bodies as this reading has them; None where it is no reading of bodies alone."""
-        state = rest_state(stand)
-        return self._changed(At(stand, state), self._names(stand))[0] if self.place == "body" else None
+        state, names = rest_state(stand), self._names(stand)
+        turned = replace(state, phi=(1.0,) * len(stand.flywheels))
+        still, other = (self._changed(At(stand, s), names)[0] for s in (state, turned))
+        return still if self.place == "body" and still == other else None
 
     def model(self, stand: Stand) -> Model:
         """The right equations with this reading."""
@@ -159,7 +173,7 @@ class Reading:
     def _names(self, stand: Stand) -> list[str]:
         kinds: Mapping[str, Sequence[Any]] = {
             "bodies": stand.bodies, "fixed": (stand.carrier, *stand.instruments), "flywheels": stand.flywheels,
-            "inputs": [body for body in stand.bodies if body.wrench_input],
+            "instruments": stand.instruments, "inputs": [body for body in stand.bodies if body.wrench_input],
         }  # fmt: skip
         bodies = kinds.get(self.bodies, ())
         return [body.name for body in bodies if self.only in ("", body.name)]
@@ -188,6 +202,13 @@ def rotate(V: Array, C: Array, parts: Sequence[int] = (0, 1)) -> Array:
     return np.concatenate([C @ row if i in parts else row for i, row in enumerate(V.reshape(2, 3))])
 
 
+def in_axes(M: Array, C: Array, of_rotation: Array | None = None) -> Array:
+    """The matrix (6x6) in the axes of a body that is M in others, in which the body's axes are the columns of C."""
+    L = block_diagonal(C)
+    L[3:, 3:] = C if of_rotation is None else of_rotation
+    return np.asarray(L.T @ M @ L)
+
+
 def moment_of(P: Array, point: Sequence[float] | Array) -> Array:
     """The wrench (6) whose force acts at a point (3)."""
     return np.concatenate([P[:3], P[3:] + np.cross(point, P[:3])])
@@ -206,22 +227,71 @@ def without_buoyancy(body: Any) -> Any:
 
 def buoyancy_in_body_axes(_: None, at: At) -> tuple[Stand, State]:
     """Buoyancy as wrenches that keep the direction that they have where the attitude is zero."""
-    wrenches = dict(at.s.wrench)
+    wrenches = dict[str, Array]()
     for body in (at.stand.carrier, *at.stand.instruments):
         laws: list[Any] = [law for law in body.laws if hasattr(law, "displaced_mass")]
         for law in laws:
             force = -law.displaced_mass * np.array([*at.stand.gravity, 0.0, 0.0, 0.0])
-            applied = np.array(wrenches.get(body.name, np.zeros(6)))
-            wrenches[body.name] = _tuples(applied + moment_of(force, law.center))
-    return with_bodies(at.stand, without_buoyancy), replace(at.s, wrench=MappingProxyType(wrenches))
+            wrenches[body.name] = moment_of(force, law.center)
+    return with_bodies(at.stand, without_buoyancy), with_wrenches(at, wrenches)[1]
+
+
+def turned_by_phase(at: At) -> Array:
+    """Rotation (3x3) of the body in its mount by its phase, where it is a flywheel."""
+    phases = (x for k, x in zip(at.stand.flywheels, at.s.phi, strict=True) if k.name == at.body.name)
+    return C1(next(phases, 0.0))
 
 
 def body_axes(at: At) -> Array:
-    """Axes (3x3, columns) of the body in E1."""
+    """Axes (3x3, columns) of the body in E1; those of E1 without a body."""
     if isinstance(at.body, Flywheel):
-        (phi,) = (x for k, x in zip(at.stand.flywheels, at.s.phi, strict=True) if k.name == at.body.name)
-        return np.asarray(mount_transfer(at.stand, at.body.mount)[:3, :3] @ flywheel_mounting(at.body) @ C1(phi))
-    return mount_transfer(at.stand, at.body.name)[:3, :3]
+        mounted = mount_transfer(at.stand, at.body.mount)[:3, :3] @ flywheel_mounting(at.body)
+        return np.asarray(mounted @ turned_by_phase(at))
+    return E if at.body is None else mount_transfer(at.stand, at.body.name)[:3, :3]
+
+
+def with_turned_inertia(k: Any, C: Array, of: str) -> Any:
+    """A body with its inertia `of` the origin or the centre of mass, or the latter itself, turned by C (3x3)."""
+    c, J = np.array(k.center_of_mass), inertia_about_origin(k)
+    central = J - k.mass * (c @ c * E - np.outer(c, c))
+    if of == "centre of mass":
+        return replace(k, center_of_mass=_tuples(C @ c), inertia=_tuples(central), inertia_about="center_of_mass")
+    J = J if of == "inertia about the origin" else central
+    about = "origin" if of == "inertia about the origin" else "center_of_mass"
+    J = C @ J @ C.T
+    return replace(k, inertia=_tuples((J + J.T) / 2.0), inertia_about=about)
+
+
+def with_wrenches(at: At, more: Mapping[str, Array]) -> tuple[Stand, State]:
+    """The same with more run-time wrenches (6), by body."""
+    P = {name: _tuples(np.array(at.s.wrench.get(name, np.zeros(6))) + x) for name, x in more.items()}
+    return at.stand, replace(at.s, wrench=MappingProxyType({**at.s.wrench, **P}))
+
+
+def damped_in_still_water(_: None, at: At) -> tuple[Stand, State]:
+    """Wrenches of the laws of bodies at V in place of V_r."""
+    still, there = (pieces(stand, at.s).terms for stand in (replace(at.stand, stream=None, profile=None), at.stand))
+    zero = np.zeros(6)
+    return with_wrenches(at, {
+        name: sum((x - there[name].get(kind, zero) for kind, x in kinds.items()), zero)
+        for name, kinds in still.items()
+    })  # fmt: skip
+
+
+def scaled(x: Array, function: Callable[[float], float]) -> Array:
+    """A rotation vector (3) of the length 2 f(angle / 2) in place of its angle."""
+    half = math.hypot(*x) / 2.0
+    return x * (function(half) / half if half else 1.0)
+
+
+def with_rotation(at: At, change: Callable[[Array], Array]) -> tuple[Stand, State]:
+    """A suspension with other numbers (3) in place of the rotation vector of a rotation (3x3)."""
+    wrench = np.zeros(6)
+    laws: list[Any] = [law for law in at.stand.laws if law.key == "suspension"]
+    for law in laws:
+        C = attitude(at.stand.angles, *law.angles).T @ at.C
+        wrench -= np.array(law.stiffness)[:, 3:] @ (change(C) - rotation_vector(C))
+    return with_wrenches(at, {at.stand.carrier.name: wrench})
 
 
 def without_sense(M: Array, at: At) -> Array:
@@ -334,7 +404,8 @@ WRENCH: Mapping[str, Change] = {
 }  # fmt: skip
 WHEELS = {
     "phase": "phi", "speed of a flywheel": "phi_dot", "acceleration of a flywheel": "phi_ddot",
-    "torque of a flywheel": "tau", "phase, speed, acceleration and torque": "phi phi_dot phi_ddot tau",
+    "torque of a flywheel": "tau", "phase and speed": "phi phi_dot",
+    "phase, speed, acceleration and torque": "phi phi_dot phi_ddot tau",
 }  # fmt: skip
 OF_WHEELS: Mapping[str, Change] = {
     "of the opposite sense": SIGN[1],
@@ -342,17 +413,48 @@ OF_WHEELS: Mapping[str, Change] = {
     "in revolutions a minute": lambda x, at: RPM * x,
     "turned into revolutions a minute": lambda x, at: x / RPM,
     "ignored": lambda x, at: 0.0 * x,
+    "in the reverse order of flywheels": lambda x, at: x[::-1],
 }
 VECTORS: Mapping[str, Change] = {
     SIGN[0]: lambda g, at: -np.array(g or (0.0, 0.0, 0.0)),
     "not turned into the axes of E1": lambda g, at: at.C @ (g or (0.0, 0.0, 0.0)),
     "turned by C in place of its transpose": lambda g, at: at.C @ at.C @ (g or (0.0, 0.0, 0.0)),
+    "ignored": lambda g, at: np.zeros(3),
 }
 """Wrong readings of gravity and stream, vectors in E0, by their words."""
 OF_SUSPENSION: Mapping[str, Change] = {
     "in degrees": lambda a, at: DEGREE * a,
     "ignored": lambda a, at: 0.0 * a,
     "taken from E1 to E0": lambda a, at: angles_of(at.stand, at.s, attitude(at.stand.angles, *a).T),
+}  # fmt: skip
+OF_ROTATION: Mapping[str, Callable[[Array], Array]] = {
+    "the sine of the angle in place of the angle": lambda C: skew_part(C) / 2.0,
+    "twice the vector part of a quaternion": lambda C: scaled(rotation_vector(C), math.sin),
+    "twice the tangent of half the angle": lambda C: scaled(rotation_vector(C), math.tan),
+    "angles of the sequence 3, 2, 1": lambda C: np.array(
+        [math.atan2(C[2, 1], C[2, 2]), -math.asin(min(1.0, max(-1.0, C[2, 0]))), math.atan2(C[1, 0], C[0, 0])]),
+}  # fmt: skip
+"""What is taken for a rotation vector, by its words: of a rotation (3x3)."""
+TURNED: tuple[tuple[str, str, Callable[[At], Array]], ...] = (
+    ("does not turn with the phase", "flywheels", lambda at: turned_by_phase(at).T),
+    ("turns with the phase the other way", "flywheels", lambda at: turned_by_phase(at).T @ turned_by_phase(at).T),
+    ("turns with the phase alone, not with the axes at phase zero", "flywheels",
+     lambda at: body_axes(at).T @ turned_by_phase(at)),
+    ("not turned into the axes of E1", "bodies", lambda at: body_axes(at).T),
+    ("turned into the axes of E1 the other way, by C^T for C", "bodies", lambda at: body_axes(at).T @ body_axes(at).T),
+    ("of flywheels not turned into the axes of E1", "flywheels", lambda at: body_axes(at).T),
+    ("of flywheels turned into the axes of E1 the other way", "flywheels",
+     lambda at: body_axes(at).T @ body_axes(at).T),
+)  # fmt: skip
+"""What may be wrong with the axes of an inertia and of a centre of mass: bodies, and how these are turned there."""
+OF_TURNED = ("inertia about the centre of mass", "inertia about the origin", "centre of mass")
+OF_INSTRUMENTS: Mapping[str, Change] = {
+    "ignored": lambda a, at: 0.0 * a,
+    "in degrees": lambda a, at: DEGREE * a,
+    SIGN[0]: SIGN[1],
+    "in reverse order": lambda a, at: a[::-1],
+    "taken from E1 to the instrument": lambda a, at: angles_of(
+        replace(at.stand, angles="ship"), at.s, fixed_rotation(*a).T),
 }  # fmt: skip
 PARTS = {"": "bodies", " of flywheels": "flywheels", " of carrier and instruments": "fixed"}
 """Bodies that share a convention, in words."""
@@ -363,9 +465,22 @@ MOUNTING: Mapping[str, Change] = {
     "mounting of flywheels transposed": lambda k, at: mounted(k, flywheel_mounting(k).T),
     "spin axis of the opposite direction": lambda k, at: mounted(k, flywheel_mounting(k) * [-1.0, 1.0, -1.0]),
     "flywheel of an instrument taken as mounted on the carrier": lambda k, at: replace(k, mount="carrier"),
+    "axes of a flywheel not turned by those of its mount": lambda k, at: mounted(
+        k, mount_transfer(at.stand, k.mount)[:3, :3].T @ flywheel_mounting(k)
+    ),
+    "position of a flywheel not turned by the axes of its mount": lambda k, at: replace(
+        k, position=_tuples(mount_transfer(at.stand, k.mount)[:3, :3].T @ np.array(k.position))
+    ),
 }
 MATRICES = {"added mass": "added_mass", **{f"{x} matrix": x for x in ("linear", "quadratic", "stiffness", "damping")}}
-OF_MATRICES: Mapping[str, Change] = dict([SIGN, ("transposed", lambda M, at: M.T), FIRST])
+OF_MATRICES: Mapping[str, Change] = {
+    SIGN[0]: SIGN[1],
+    "transposed": lambda M, at: M.T,
+    FIRST[0]: FIRST[1],
+    "taken in the axes of E0": lambda M, at: in_axes(M, at.C @ body_axes(at)),
+    "taken in the axes of E1": lambda M, at: in_axes(M, body_axes(at)),
+    "of translation taken in the axes of E0": lambda M, at: in_axes(M, at.C @ body_axes(at), E),
+}
 ANSWERED: Mapping[str, tuple[str, Change]] = {
     "V_dot answered as the acceleration of O1, with omega x v": ("V_dot", lambda A, at: A + transport(at, at.s.V[:3])),
     "Z0 answered about O1": ("Z0", lambda _, at: rotate(at.beside["Z"], at.C)),
@@ -425,6 +540,11 @@ READINGS: tuple[Reading, ...] = (
       for words, change in OF_SUSPENSION.items()),
     Reading("displacement of the suspension not turned into the axes of E1", "state", "position",
             unturned_displacement),
+    *(Reading(f"{words} for the rotation vector of the suspension", "all", "",
+              lambda _, at, change=change: with_rotation(at, change))  # type: ignore[misc]
+      for words, change in OF_ROTATION.items()),
+    Reading("damping and other wrenches of the fluid relative to E0, not to the stream", "all", "",
+            damped_in_still_water),
     Reading("buoyancy that does not turn into the axes of the body", "all", "", buoyancy_in_body_axes),
     *(Reading(f"products of inertia{words} of the opposite sign", "body", "inertia",
               lambda J, at: J * (2.0 * E - 1.0), bodies) for words, bodies in PARTS.items()),
@@ -436,6 +556,14 @@ READINGS: tuple[Reading, ...] = (
     *(Reading(f"{name} {words}", "body", key, x, "bodies")
       for words, x in OF_PLACES.items() for name, key in PLACES.items()),
     *(Reading(words, "body", "", x, "flywheels") for words, x in MOUNTING.items()),
+    *(Reading(f"{of} {words}", "body", "", lambda k, at, of=of, C=C: with_turned_inertia(k, C(at), of), bodies)  # type: ignore[misc]
+      for words, bodies, C in TURNED for of in OF_TURNED),
+    *(Reading(f"angles of an instrument {words}", "body", "angles", x, "instruments")
+      for words, x in OF_INSTRUMENTS.items()),
+    Reading("flywheels in reverse order, in states and answers", "all", "", lambda _, at: (
+        replace(at.stand, flywheels=at.stand.flywheels[::-1]), at.s)),
+    *(Reading(f"{key} answered in the reverse order of flywheels", "answer", key, lambda x, at: np.asarray(x)[::-1])
+      for key in ("tau", "phi_ddot", "mount_wrench")),
     *(Reading(f"{name} {words}", "law", key, x) for words, x in OF_MATRICES.items() for name, key in MATRICES.items()),
     Reading("V V in place of V |V| in quadratic damping", "law", "quadratic", without_sense),
     Reading("products of added mass counted twice, in the derivatives and beside them", "all", "", with_products_twice),
@@ -559,8 +687,8 @@ class NumberSearch:
         """The same numbers with the fewest digits that explain the error."""
         values = dict(solved.values)
         for number, value in solved.values.items():
-            for digits in range(1, 16):
-                short = {**values, number: float(f"{value:.{digits}g}")}
+            for short_value in (0.0, *(float(f"{value:.{digits}g}") for digits in range(1, 16))):
+                short = {**values, number: short_value}
                 if self.explains(short):
                     values = short
                     break

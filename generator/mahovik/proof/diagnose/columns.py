@@ -165,6 +165,12 @@ ROWS = 40
 DRIVE = "J11 phi_ddot of the drive alone"
 """The spin inertia as the drive feels it: an armature that does not turn with the rotor's frame is a part of it."""
 
+ABSOLUTE = "I_s (e . omega_dot)"
+"""What the equations have too much, or too little, where phi_ddot is taken as absolute."""
+
+RIGHT: Mapping[str, float] = {"m phi_dot omega x (e x r)": 2.0, ABSOLUTE: 0.0}
+"""Factors of terms in the right equations that are not 1."""
+
 BEYOND = 10.0
 """A component is wrong whose error is more than its rounding times this."""
 
@@ -219,7 +225,7 @@ def body_terms(states: Sequence[State], at: Sequence[Pieces], equations: str, ro
 class Explanation:
     """A few terms that explain an error.
 
-    factors  errors of their factors
+    factors  errors of their factors; those with which a factor is 0, 1 or -1 where rounding does not tell another
     left     part of the error that they leave, 0 to 1; 0 where this is rounding
     """
 
@@ -237,6 +243,11 @@ def is_wrong(error: Array, checked: NDArray[np.bool_]) -> NDArray[np.bool_]:
 def _is_simple(factor: float) -> bool:
     """Whether a program may have this factor by a mistake: -1, 0, 1/2, ..."""
     return abs(2.0 * factor - round(2.0 * factor)) <= SIMPLE
+
+
+def snapped(factor: float, unsure: float) -> float:
+    """0, 1 or -1 in place of a factor that is this, but for its rounding."""
+    return next((x for x in (0.0, 1.0, -1.0) if abs(factor - x) <= max(unsure, ZERO)), factor)
 
 
 def explain(
@@ -270,7 +281,11 @@ def explain(
         share = float(np.linalg.norm(left[:, wrong]) / np.linalg.norm((error / noise)[:, wrong]))
         if max(rest) > 4.0 or share > 0.01:
             continue
-        factors = {there[j]: float(x / size[j]) for j, x in zip(places, c, strict=True)}
+        unsure = np.linalg.norm(np.linalg.pinv(A[:, places]), axis=1) * max(1.0, *rest)
+        factors = {
+            there[j]: snapped(there[j][2] + float(x), float(dx)) - there[j][2]
+            for j, x, dx in zip(places, c / size[places], unsure / size[places], strict=True)
+        }
         beyond = bool((np.abs(left[checked]) > 1.0).any())
         intricate = sum(not _is_simple(term[2] + x) for term, x in factors.items())
         ranks.append((beyond, len(places), not {*places} <= {*known}, intricate, len(ranks)))
@@ -321,6 +336,7 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
             "-Ls Theta_s <e> Ls^T phi_dot V": -k.Theta @ spin @ V * speed,
             "I_s phi_ddot": turn * phi_ddot,
             "Theta_s (0, omega x e) phi_dot": k.Theta[:, 3:] @ np.cross(w, e) * speed,
+            ABSOLUTE: turn * float(e @ alpha),
         }
     zero = np.zeros(3)
     wrenches |= {name: force_at(m * x, r) for name, x in forces.items()}
@@ -343,7 +359,7 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
                 f"moment of {kind}": -np.concatenate([zero, P[3:]]),
             }
     for name, wrench in wrenches.items():
-        yield name, 2.0 if name == "m phi_dot omega x (e x r)" else 1.0, wrench
+        yield name, RIGHT.get(name, 1.0), wrench
 
 
 def axial(S: Array) -> Array:

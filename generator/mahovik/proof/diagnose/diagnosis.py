@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -36,8 +37,11 @@ from mahovik.proof.verify.states import Request
 
 Verdict = Literal["none", "named", "approximate", "unnamed"]
 
-NEAR = 0.2
+NEAR = 0.1
 """Part of the error that a reading or a number may leave and be called approximately the cause."""
+
+HOPELESS = 0.5
+"""Part of the error that a cause may leave at one state, to be compared with the error at more."""
 
 TELLING, FEW_WANTS = ("coupled", "forward", "torque"), 3
 """Wants by which causes are looked for, before they are compared with all: these where they differ, and how many."""
@@ -69,7 +73,7 @@ class Diagnosis:
 
     verdict      none: no error beyond rounding; named: `causes` or `terms` explain all of it to rounding; approximate:
                  they explain most of it; unnamed: nothing does, or there are no numbers
-    causes       at most two at once
+    causes       at most two at once; of an unnamed error what leaves least of it, which may be far
     unexplained  part of the error that has no name, 0 to 1
     precision    of the program, to which its error is explained; None: it answered no numbers
     wrong        quantities with an error, as want: quantity; follows: those of them that follow from other answers
@@ -276,6 +280,8 @@ class _Evidence:
         self.few = {x.id for x in whole.requests if x.id in first and x.want[0] in chosen}
         if not self.wrong[whole.places(self.few)].any():
             self.few = self.every
+        state = next(x.state for x in whole.requests if x.id in self.few)
+        self.one = {x.id for x in whole.requests if x.id in self.few and x.state is state}
 
     def right_beside(self, numbers: Array) -> set[str]:
         """Quantities all of whose answers are other numbers, to rounding."""
@@ -287,17 +293,21 @@ class _Evidence:
 
         These are none where it explains the rightness of all others as well; None where it leaves more than rounding.
         """
-        for among in (self.few, self.every):
+        for among in (self.one, self.few, self.every):
             places, predicted = self._whole.places(among), self._whole.of_model(model, among)
             rest = np.abs(np.nan_to_num(self._answered - predicted, nan=np.inf))
             growth = self._growth(np.where(places, self._whole.expected, 0.0), predicted)
             beyond = places & self._there & (rest > self.noise * growth)
             if (beyond & self._in_wrong_wants).any():
                 wrong = places & self.wrong
+                if among is self.one and not wrong.any():
+                    continue
                 blocks, e = self._whole.block[wrong], np.abs(self.error[wrong])
                 with np.errstate(all="ignore"):
                     shares = np.bincount(blocks, np.minimum(rest[wrong], e) ** 2) / np.bincount(blocks, e**2)
-                return float(np.sqrt(np.nanmean(shares))) if blocks.size else 0.0, None
+                left = float(np.sqrt(np.nanmean(shares))) if blocks.size else 0.0
+                if among is not self.one or left > HOPELESS:
+                    return left, None
         return 0.0, tuple(sorted(self._wants)) if beyond.any() else ()
 
     def _growth(self, right: Array, predicted: Array) -> Array:
@@ -356,15 +366,12 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
         lines += [f"  {x.want}, {x.component}: {x.term} or, as well, {_some(x.twins)}" for x in result.doubtful]
         lines.append("nothing is named: more kinds of motion are needed, in one log, independent of one another")
     else:
-        left = _remainder_words(diagnosis.unexplained)
         if diagnosis.hindrance:
             lines.append(f"wrong terms are not looked for: {diagnosis.hindrance}")
         if diagnosis.verdict == "approximate":
-            lines += [f"approximately, {left}:", *_cause_lines(diagnosis.causes, "")]
+            lines += [f"approximately, {_remainder_words(diagnosis.unexplained)}:", *_cause_lines(diagnosis.causes, "")]
         else:
-            near = " and ".join(_cause_lines([cause], "")[0] for cause in diagnosis.causes)
-            lines.append("no wrong reading and no one or two numbers of the stand file explain it"
-                         + (f"; nearest: {near}, {left}" if near else ""))  # fmt: skip
+            lines.append("no single cause explains it: no wrong reading, and no one or two numbers of the stand file")
         if result is not None:
             lines.append(f"a few wrong terms in {_join(result.wants)} do not explain it either")
     failed = "; ".join(diagnosis.failed)
@@ -532,6 +539,10 @@ def diagnose_fault(stand: Stand, document: Mapping[str, Any], judged: Judged, se
 
     def terms_beside(right: Stand) -> TermSearchResult:
         """Wrong terms beside what is right."""
+        if states is None and right.flywheels:  # few questions suffice where whole bodies have it
+            search = TermSearch(right, seed, offered, states, precision, program, diagnosed.wrong, of_bodies=True)
+            with suppress(CheckError):
+                return search.find(judged.answers(search.requests))
         search = TermSearch(right, seed, offered, states, precision, program, diagnosed.wrong)
         return search.find(judged.answers(search.requests))
 

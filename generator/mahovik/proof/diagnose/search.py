@@ -212,18 +212,21 @@ class TermSearch:
         precision: Precision | None = None,
         program: Program | None = None,
         wrong: Sequence[str] = (),
+        of_bodies: bool = False,
     ) -> None:
         """`states`: the only ones with answers, by name, as in a log; None: those that the search asks for.
 
         `precision`: of the program, None: double; `program`: which states it takes, None: all; `wrong`: quantities that
-        are known to differ, as want: quantity; none: any may.
+        are known to differ, as want: quantity; none: any may; `of_bodies`: only terms of whole bodies, by few states.
         """
         rng = np.random.default_rng(seed)
         self._stand, self._wrong = stand, {tuple(label.split(": ")) for label in wrong}
         self._precision = precision or Precision("double", ACCEPTED["double"], 17, 330)
         self._printed, self._scales = 2.0 * 10.0 ** (1 - self._precision.digits), Scales(stand)
         self._rounding = max(ACCEPTED["double"], PART * self._precision.accepted, self._printed)
-        self._drawn = [_state(stand, rng) for _ in range(math.ceil(MORE * count_products(stand)) + SPARE)]
+        self._of_bodies = of_bodies
+        count = ROWS if of_bodies else math.ceil(MORE * count_products(stand)) + SPARE
+        self._drawn = [_state(stand, rng) for _ in range(count)]
         if program is not None and program.actuators:
             self._drawn = [with_drawn_actuators(stand, state, rng) for state in self._drawn]
         asked = self._drawn if program is None else [program.state(stand, state) for state in self._drawn]
@@ -390,6 +393,10 @@ class TermSearch:
         return replace(frame_of(self._stand), components=names[side], rows=np.eye(len(names[side])))
 
     @cached_property
+    def _file(self) -> StandNumbers:
+        return StandNumbers(self._stand, exact(document_of(self._stand)))
+
+    @cached_property
     def _pieces(self) -> list[Pieces]:
         return self._pieces_of(self._states, self._stand)
 
@@ -405,7 +412,7 @@ class TermSearch:
         if of.side == "mounts" or not wrong.any() or (fit.exact and not fit.left and len(by_body[0]) < wrong.sum()):
             return by_body[0], [fit]
         fitted = int((~of.checked).sum())
-        if not fit.exact:
+        if not fit.exact or self._of_bodies:
             self._check_count(of.want, fitted, count_products(self._stand))
         elif fitted < count_products(self._stand):
             return by_body[0], [fit]
@@ -515,7 +522,7 @@ class TermSearch:
         Of all of the coefficient of product k; else of the part of it that a number has, where this explains the error
         by a likely factor. The part is what changes with the number in the right equations.
         """
-        file, g = StandNumbers(self._stand, exact(document_of(self._stand))), float(np.linalg.norm(self._stand.gravity))
+        file, g = self._file, float(np.linalg.norm(self._stand.gravity))
         result = expected + error, expected, ""
         for number in file:
             sizes = [abs(multiple * number.value) for multiple in (1.0, 2.0, 0.5, g, 2.0 * g)]
@@ -679,6 +686,10 @@ class Columns:
         self._scaled = np.divide(columns, self._size, out=np.zeros_like(columns), where=self._size > 0.0)
         self._later, self._sets = later, dict[bytes, _Set]()
 
+    @cached_property
+    def _span(self) -> Array:
+        return np.asarray(np.linalg.qr(self._scaled)[0])
+
     def independent(self, more: Array) -> list[int]:
         """Those of `more` (n, k) that these columns, and others of them, do not explain."""
         span, kept = self._set(~self._later).span, []
@@ -698,6 +709,9 @@ class Columns:
         """
         whole = float(np.linalg.norm(error))
         limit = max(EXACT * whole, rounding * np.sqrt(len(error)))
+        beyond = error - self._span @ (self._span.T @ error)
+        if (left := float(np.linalg.norm(beyond))) > min(limit, SHARE * whole):
+            return Fit({}, left / whole)  # all columns at once do not explain it
         best, exact = Fit({}, 1.0), dict[int, tuple[Fit, _Set]]()
         for chosen in (first & ~self._later, first, ~self._later, np.full(first.shape, True)):
             columns = self._set(chosen)
