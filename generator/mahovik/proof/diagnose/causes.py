@@ -22,17 +22,7 @@ from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.core.stand.stand_file import read
 from mahovik.errors import MahovikError, StandError, UsageError
 from mahovik.proof.diagnose.answers import AnswerVector, Model, Reference
-from mahovik.proof.reference.algebra import (
-    C1,
-    Array,
-    attitude,
-    block_diagonal,
-    carrier_rotation,
-    fixed_rotation,
-    flywheel_mounting,
-    rotation_vector,
-    skew_part,
-)
+from mahovik.proof.reference.algebra import C1, Array, attitude, carrier_rotation, flywheel_mounting, rotation_vector
 from mahovik.proof.reference.evaluate import pieces
 from mahovik.proof.reference.pieces import inertia_about_origin, mount_transfer
 from mahovik.proof.verify.draw import freedom_rates, quaternion_of, with_angles
@@ -204,8 +194,7 @@ def rotate(V: Array, C: Array, parts: Sequence[int] = (0, 1)) -> Array:
 
 def in_axes(M: Array, C: Array, of_rotation: Array | None = None) -> Array:
     """The matrix (6x6) in the axes of a body that is M in others, in which the body's axes are the columns of C."""
-    L = block_diagonal(C)
-    L[3:, 3:] = C if of_rotation is None else of_rotation
+    L = np.kron(np.diag([1.0, 0.0]), C) + np.kron(np.diag([0.0, 1.0]), C if of_rotation is None else of_rotation)
     return np.asarray(L.T @ M @ L)
 
 
@@ -256,8 +245,7 @@ def with_turned_inertia(k: Any, C: Array, of: str) -> Any:
     central = J - k.mass * (c @ c * E - np.outer(c, c))
     if of == "centre of mass":
         return replace(k, center_of_mass=_tuples(C @ c), inertia=_tuples(central), inertia_about="center_of_mass")
-    J = J if of == "inertia about the origin" else central
-    about = "origin" if of == "inertia about the origin" else "center_of_mass"
+    about, J = ("origin", J) if of == "inertia about the origin" else ("center_of_mass", central)
     J = C @ J @ C.T
     return replace(k, inertia=_tuples((J + J.T) / 2.0), inertia_about=about)
 
@@ -270,12 +258,10 @@ def with_wrenches(at: At, more: Mapping[str, Array]) -> tuple[Stand, State]:
 
 def damped_in_still_water(_: None, at: At) -> tuple[Stand, State]:
     """Wrenches of the laws of bodies at V in place of V_r."""
-    still, there = (pieces(stand, at.s).terms for stand in (replace(at.stand, stream=None, profile=None), at.stand))
-    zero = np.zeros(6)
-    return with_wrenches(at, {
-        name: sum((x - there[name].get(kind, zero) for kind, x in kinds.items()), zero)
-        for name, kinds in still.items()
-    })  # fmt: skip
+    still = pieces(replace(at.stand, stream=None, profile=None), at.s).terms
+    there, zero = pieces(at.stand, at.s).terms, np.zeros(6)
+    more = {k: sum((x - there[k].get(kind, zero) for kind, x in P.items()), zero) for k, P in still.items()}
+    return with_wrenches(at, more)
 
 
 def scaled(x: Array, function: Callable[[float], float]) -> Array:
@@ -363,6 +349,8 @@ def with_products_twice(_: None, at: At) -> tuple[Stand, State]:
 
 # -- kinds, and what they are of ---------------------------------------------------------------------------------------
 
+IGNORED: tuple[str, Change] = ("ignored", lambda x, at: 0.0 * x)
+DEGREES: tuple[str, Change] = ("in degrees", lambda x, at: DEGREE * x)
 SIGN: tuple[str, Change] = ("of the opposite sign", lambda x, at: -x)
 FIRST: tuple[str, Change] = (
     "with the angular part first",
@@ -376,10 +364,7 @@ QUATERNION: Mapping[str, Change] = {
     "read with the scalar last, and conjugated": lambda q, at: np.roll(q, 1) * [1, -1, -1, -1],
     "ignored": lambda q, at: np.eye(4)[0],
 }
-ANGLES: Mapping[str, Change] = {
-    "in degrees": lambda a, at: DEGREE * a, "in reverse order": lambda a, at: a[::-1], SIGN[0]: SIGN[1],
-    "ignored": lambda a, at: 0.0 * a,
-}  # fmt: skip
+ANGLES = dict([SIGN, DEGREES, IGNORED, ("in reverse order", lambda a, at: a[::-1])])
 SIXES: Mapping[str, Change] = {
     FIRST[0]: FIRST[1],
     "taken in the axes of E0": lambda x, at: rotate(x, at.C.T),
@@ -399,22 +384,18 @@ WRENCH: Mapping[str, Change] = {
     "run-time wrench ignored": lambda P, at: 0.0 * P,
     "run-time wrench taken in the axes of E1": lambda P, at: rotate(P, body_axes(at).T),
     "force of a run-time wrench acting at the centre of mass": lambda P, at: moment_of(P, at.body.center_of_mass),
-    "run-time wrench of a flywheel not turning with it": lambda P, at: next(
-        (rotate(P, C1(x).T) for k, x in zip(at.stand.flywheels, at.s.phi, strict=True) if k is at.body), P),
-}  # fmt: skip
+    "run-time wrench of a flywheel not turning with it": lambda P, at: rotate(P, turned_by_phase(at).T),
+}
 WHEELS = {
     "phase": "phi", "speed of a flywheel": "phi_dot", "acceleration of a flywheel": "phi_ddot",
     "torque of a flywheel": "tau", "phase and speed": "phi phi_dot",
     "phase, speed, acceleration and torque": "phi phi_dot phi_ddot tau",
 }  # fmt: skip
 OF_WHEELS: Mapping[str, Change] = {
-    "of the opposite sense": SIGN[1],
-    "in degrees": lambda x, at: DEGREE * x,
-    "in revolutions a minute": lambda x, at: RPM * x,
+    "of the opposite sense": SIGN[1], "in revolutions a minute": lambda x, at: RPM * x, **dict([DEGREES, IGNORED]),
     "turned into revolutions a minute": lambda x, at: x / RPM,
-    "ignored": lambda x, at: 0.0 * x,
     "in the reverse order of flywheels": lambda x, at: x[::-1],
-}
+}  # fmt: skip
 VECTORS: Mapping[str, Change] = {
     SIGN[0]: lambda g, at: -np.array(g or (0.0, 0.0, 0.0)),
     "not turned into the axes of E1": lambda g, at: at.C @ (g or (0.0, 0.0, 0.0)),
@@ -422,44 +403,32 @@ VECTORS: Mapping[str, Change] = {
     "ignored": lambda g, at: np.zeros(3),
 }
 """Wrong readings of gravity and stream, vectors in E0, by their words."""
-OF_SUSPENSION: Mapping[str, Change] = {
-    "in degrees": lambda a, at: DEGREE * a,
-    "ignored": lambda a, at: 0.0 * a,
-    "taken from E1 to E0": lambda a, at: angles_of(at.stand, at.s, attitude(at.stand.angles, *a).T),
-}  # fmt: skip
+OF_SUSPENSION = dict([DEGREES, IGNORED, ("taken from E1 to E0", lambda a, at: (
+    angles_of(at.stand, at.s, attitude(at.stand.angles, *a).T)))])  # fmt: skip
+OF_INSTRUMENTS = ANGLES | {"taken from E1 to the instrument": lambda a, at: (
+    angles_of(replace(at.stand, angles="ship"), at.s, attitude("ship", *a).T))}  # fmt: skip
 OF_ROTATION: Mapping[str, Callable[[Array], Array]] = {
-    "the sine of the angle in place of the angle": lambda C: skew_part(C) / 2.0,
+    "the sine of the angle": lambda C: scaled(rotation_vector(C), lambda x: math.sin(2.0 * x) / 2.0),
     "twice the vector part of a quaternion": lambda C: scaled(rotation_vector(C), math.sin),
     "twice the tangent of half the angle": lambda C: scaled(rotation_vector(C), math.tan),
     "angles of the sequence 3, 2, 1": lambda C: np.array(
         [math.atan2(C[2, 1], C[2, 2]), -math.asin(min(1.0, max(-1.0, C[2, 0]))), math.atan2(C[1, 0], C[0, 0])]),
 }  # fmt: skip
 """What is taken for a rotation vector, by its words: of a rotation (3x3)."""
-TURNED: tuple[tuple[str, str, Callable[[At], Array]], ...] = (
-    ("does not turn with the phase", "flywheels", lambda at: turned_by_phase(at).T),
-    ("turns with the phase the other way", "flywheels", lambda at: turned_by_phase(at).T @ turned_by_phase(at).T),
-    ("turns with the phase alone, not with the axes at phase zero", "flywheels",
-     lambda at: body_axes(at).T @ turned_by_phase(at)),
-    ("not turned into the axes of E1", "bodies", lambda at: body_axes(at).T),
-    ("turned into the axes of E1 the other way, by C^T for C", "bodies", lambda at: body_axes(at).T @ body_axes(at).T),
-    ("of flywheels not turned into the axes of E1", "flywheels", lambda at: body_axes(at).T),
-    ("of flywheels turned into the axes of E1 the other way", "flywheels",
-     lambda at: body_axes(at).T @ body_axes(at).T),
-)  # fmt: skip
-"""What may be wrong with the axes of an inertia and of a centre of mass: bodies, and how these are turned there."""
-OF_TURNED = ("inertia about the centre of mass", "inertia about the origin", "centre of mass")
-OF_INSTRUMENTS: Mapping[str, Change] = {
-    "ignored": lambda a, at: 0.0 * a,
-    "in degrees": lambda a, at: DEGREE * a,
-    SIGN[0]: SIGN[1],
-    "in reverse order": lambda a, at: a[::-1],
-    "taken from E1 to the instrument": lambda a, at: angles_of(
-        replace(at.stand, angles="ship"), at.s, fixed_rotation(*a).T),
+TURNED: Mapping[str, tuple[str, Callable[[At], Array]]] = {
+    "not turned into the axes of E1": ("", lambda at: body_axes(at).T),
+    "turned into the axes of E1 the other way, by C^T for C": ("", lambda at: body_axes(at).T @ body_axes(at).T),
+    "does not turn with the phase": ("flywheels", lambda at: turned_by_phase(at).T),
+    "turns with the phase the other way": ("flywheels", lambda at: turned_by_phase(at).T @ turned_by_phase(at).T),
+    "turns with the phase alone, not with the axes at phase zero": ("flywheels", lambda at: (
+        body_axes(at).T @ turned_by_phase(at))),
 }  # fmt: skip
+"""What may be wrong with the axes of an inertia and of a centre of mass: bodies, and how these are turned."""
+OF_TURNED = ("inertia about the centre of mass", "inertia about the origin", "centre of mass")
 PARTS = {"": "bodies", " of flywheels": "flywheels", " of carrier and instruments": "fixed"}
 """Bodies that share a convention, in words."""
 PLACES = {"centre of mass": "center_of_mass", "position of a body": "position"}
-OF_PLACES: Mapping[str, Change] = {SIGN[0]: SIGN[1], "ignored": lambda c, at: 0.0 * c, "in mm": lambda c, at: 1e-3 * c}
+OF_PLACES: Mapping[str, Change] = dict([SIGN, IGNORED, ("in mm", lambda c, at: 1e-3 * c)])
 OF_INERTIA: Mapping[str, Change] = {"in g cm^2": lambda J, at: 1e-7 * J, "in kg cm^2": lambda J, at: 1e-4 * J}
 MOUNTING: Mapping[str, Change] = {
     "mounting of flywheels transposed": lambda k, at: mounted(k, flywheel_mounting(k).T),
@@ -474,13 +443,11 @@ MOUNTING: Mapping[str, Change] = {
 }
 MATRICES = {"added mass": "added_mass", **{f"{x} matrix": x for x in ("linear", "quadratic", "stiffness", "damping")}}
 OF_MATRICES: Mapping[str, Change] = {
-    SIGN[0]: SIGN[1],
-    "transposed": lambda M, at: M.T,
-    FIRST[0]: FIRST[1],
+    **dict([SIGN, FIRST]), "transposed": lambda M, at: M.T,
     "taken in the axes of E0": lambda M, at: in_axes(M, at.C @ body_axes(at)),
     "taken in the axes of E1": lambda M, at: in_axes(M, body_axes(at)),
     "of translation taken in the axes of E0": lambda M, at: in_axes(M, at.C @ body_axes(at), E),
-}
+}  # fmt: skip
 ANSWERED: Mapping[str, tuple[str, Change]] = {
     "V_dot answered as the acceleration of O1, with omega x v": ("V_dot", lambda A, at: A + transport(at, at.s.V[:3])),
     "Z0 answered about O1": ("Z0", lambda _, at: rotate(at.beside["Z"], at.C)),
@@ -556,8 +523,9 @@ READINGS: tuple[Reading, ...] = (
     *(Reading(f"{name} {words}", "body", key, x, "bodies")
       for words, x in OF_PLACES.items() for name, key in PLACES.items()),
     *(Reading(words, "body", "", x, "flywheels") for words, x in MOUNTING.items()),
-    *(Reading(f"{of} {words}", "body", "", lambda k, at, of=of, C=C: with_turned_inertia(k, C(at), of), bodies)  # type: ignore[misc]
-      for words, bodies, C in TURNED for of in OF_TURNED),
+    *(Reading(f"{of}{part} {words}", "body", "", lambda k, at, of=of, C=C: with_turned_inertia(k, C(at), of), bodies)  # type: ignore[misc]
+      for words, (only, C) in TURNED.items() for of in OF_TURNED for part, bodies in PARTS.items()
+      if bodies == only or (not only and bodies != "fixed")),
     *(Reading(f"angles of an instrument {words}", "body", "angles", x, "instruments")
       for words, x in OF_INSTRUMENTS.items()),
     Reading("flywheels in reverse order, in states and answers", "all", "", lambda _, at: (

@@ -165,11 +165,8 @@ ROWS = 40
 DRIVE = "J11 phi_ddot of the drive alone"
 """The spin inertia as the drive feels it: an armature that does not turn with the rotor's frame is a part of it."""
 
-ABSOLUTE = "I_s (e . omega_dot)"
-"""What the equations have too much, or too little, where phi_ddot is taken as absolute."""
-
-RIGHT: Mapping[str, float] = {"m phi_dot omega x (e x r)": 2.0, ABSOLUTE: 0.0}
-"""Factors of terms in the right equations that are not 1."""
+RIGHT: Mapping[str, float] = {"m phi_dot omega x (e x r)": 2.0, "I_s (e . omega_dot)": 0.0}
+"""Factors of terms in the right equations that are not 1; the last is there where phi_ddot is taken as absolute."""
 
 BEYOND = 10.0
 """A component is wrong whose error is more than its rounding times this."""
@@ -336,7 +333,7 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
             "-Ls Theta_s <e> Ls^T phi_dot V": -k.Theta @ spin @ V * speed,
             "I_s phi_ddot": turn * phi_ddot,
             "Theta_s (0, omega x e) phi_dot": k.Theta[:, 3:] @ np.cross(w, e) * speed,
-            ABSOLUTE: turn * float(e @ alpha),
+            "I_s (e . omega_dot)": turn * float(e @ alpha),
         }
     zero = np.zeros(3)
     wrenches |= {name: force_at(m * x, r) for name, x in forces.items()}
