@@ -21,8 +21,9 @@ from mahovik.core.stand.hold import freedom_names, twist_of
 from mahovik.core.stand.model import Stand, State, rest_state
 from mahovik.core.stand.stand_file import loads
 from mahovik.out.export.fmu import export_fmu
+from mahovik.proof.verify.draw import with_pose
 from mahovik.use.simulate.case import Case
-from mahovik.use.simulate.held import complete_start, home, rates
+from mahovik.use.simulate.held import allowed_start, home, rates
 from mahovik.use.simulate.run import simulate
 from toolchain.quick import quick
 from verify.holds import PENDULUM
@@ -188,7 +189,7 @@ def held_case(name: str) -> tuple[Stand, State]:
     stand = loads(text if name not in ("clamped", "shaker", "basis") else text.replace("pivot = [0, 0, -0.2]\n", ""))
     assert stand.hold is not None
     state = replace(rest_state(stand), u=u, V=twist_of(stand.hold, u), phi_dot=(40.0,))
-    return stand, complete_start(stand, state, {"u", "phi_dot"})
+    return stand, allowed_start(stand, with_pose(stand, state, {"u", "phi_dot"}))
 
 
 def written(stand: Stand, start: State, folder: Path, kind: Kind = "cs", **more: Any) -> str:

@@ -57,7 +57,7 @@ SIZE = 16 * PER_BLOCK
 READINGS, TWIST, FORCE = 24, 15, 18
 """Numbers of `points` of one sensor, the first of its angular velocity, the first of its specific force."""
 
-POSE, RATES = np.repeat([1e-2, 1e-1], 3), np.repeat([1e-1, 1.0], 3)
+POSE, RATES = (1e-2, 1e-1), (1e-1, 1.0)
 """Natural sizes of a shift (m) and a turn (rad), and of the two parts of a twist (m/s, rad/s)."""
 
 
@@ -163,8 +163,7 @@ class Predictor:
         self._needs = {"readings", "reaction"} if held else {"readings"}
         S = twists(stand.hold)
         turns = np.any(S[3:] != 0.0, axis=0)
-        sizes = (POSE, RATES) if stand.hold is None else [np.where(turns, size[3], size[0]) for size in (POSE, RATES)]
-        self.start_scale: Array = np.concatenate(sizes)
+        self.start_scale: Array = np.concatenate([np.where(turns, turn, shift) for shift, turn in (POSE, RATES)])
 
     def motion(self, t: Array) -> tuple[Array, Array, Array]:
         """Phases, speeds and accelerations (T, N) of all flywheels."""
@@ -191,13 +190,11 @@ class Predictor:
 
     def _states(self, tables: Tables, starts: Array) -> Array:
         """Position, attitude and twist (13, n)."""
-        hold, n = self.stand.hold, len(tables)
-        S, still = np.eye(6)[..., None], home(self.stand)
-        position, attitude = np.array(still.position)[:, None], np.array(still.quaternion)[:, None]
-        if hold is not None:
-            laws = tables.laws()  # of these those that differ
-            position, attitude = laws.get("home_position", position), laws.get("home_attitude", attitude)
-            S = laws.get("S", twists(hold)[..., None])
+        n, still = len(tables), home(self.stand)
+        laws = tables.laws()  # of a hold's numbers those that differ
+        position = laws.get("home_position", np.array(still.position)[:, None])
+        attitude = laws.get("home_attitude", np.array(still.quaternion)[:, None])
+        S = laws.get("S", twists(self.stand.hold)[..., None])
         S = np.broadcast_to(S, (*S.shape[:2], n))
         m = S.shape[1]
         step, V = (np.einsum("imn,mn->in", S, part) for part in (starts[:m], starts[m:]))

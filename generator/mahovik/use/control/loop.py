@@ -15,9 +15,9 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -33,7 +33,7 @@ from mahovik.core.motion.required import RequiredMotion, Slew, rows_of
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
 from mahovik.core.stand.masses import mean_stand
-from mahovik.core.stand.model import Stand, State, Vec3, Vec6, rest_state
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.motor import steepness
 from mahovik.core.toolchain.compiled import Block, compile_library
 from mahovik.core.toolchain.library import Library, uniform_data
@@ -157,21 +157,6 @@ def _steepest_rate(stand: Stand) -> float:
     rates = [steepness(s.motor) / (0.5 * inertia(s)[3, 3]) for s in stand.flywheels]
     rates += [1.0 / friction.bound for friction in long_steps(stand, math.inf)]
     return float(max(rates, default=0.0)) / STIFFNESS
-
-
-def plant_state(stand: Stand, chart: Chart, y: Array, phi: Array, phi_dot: Array) -> State:
-    """The state of a plant: y (12; held 2 m) of a chart, flywheels at phi, phi' (N each)."""
-    at = chart.twists(y[None])
-    a, b, c, w = Rotation.from_matrix(at.C[0]).as_quat().tolist()
-    return replace(
-        rest_state(stand),
-        position=cast(Vec3, tuple(at.O1[0].tolist())),
-        quaternion=(w, a, b, c),
-        V=cast(Vec6, tuple(at.V[0].tolist())),
-        u=() if stand.hold is None else tuple(y[chart.count :].tolist()),
-        phi=tuple(phi.tolist()),
-        phi_dot=tuple(phi_dot.tolist()),
-    )
 
 
 # -- what firmware does once per sample: read the encoders, and the C of servos and trim
@@ -479,7 +464,7 @@ def required_state(stand: Stand, motion: RequiredMotion, programme: Programme, a
     y = chart.of(course)[0]
     if programme.unbalance == "averaged":
         y[6:] = twist_at_rest(stand, y[6:], angles.phi[0], angles.phi_dot[0])
-    return plant_state(stand, chart, y, angles.phi[0], angles.phi_dot[0])
+    return chart.state(y, angles.phi[0], angles.phi_dot[0])
 
 
 def twist_at_rest(stand: Stand, V: Array, phi: Array, phi_dot: Array) -> Array:
@@ -504,7 +489,7 @@ def starting_state(case: Case) -> State:
         y = orbit.y[0]
     else:
         y = settled_state(mechanics, wanted.motion, wanted.programme, count)
-    return plant_state(case.real, orbit.chart, y, angles.phi[0], angles.phi_dot[0])
+    return orbit.chart.state(y, angles.phi[0], angles.phi_dot[0])
 
 
 class _Loop:

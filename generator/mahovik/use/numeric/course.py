@@ -14,13 +14,15 @@ flywheels are computed for all times first, so that the cost does not grow with 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import cast
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.functions import Course
+from mahovik.core.stand.model import State, Vec3, Vec6, rest_state
 from mahovik.errors import CheckError, StateError
 from mahovik.use.numeric.frame import Frame, Twists, in_E1, in_fluid
 from mahovik.use.numeric.mechanics import Mechanics
@@ -68,6 +70,20 @@ class Chart:
         x, u = np.hsplit(y, 2)
         V = u @ self.frame.S.T
         return in_fluid(self.mechanics.stand, *self.frame.pose(x), V, np.zeros_like(V))
+
+    def state(self, y: Array, phi: Array, phi_dot: Array) -> State:
+        """The state as `eval` takes it, of y (2 m) and flywheels at phi, phi' (N each)."""
+        stand, at = self.mechanics.stand, self.twists(y[None])
+        w, i, j, k = Rotation.from_matrix(at.C[0]).as_quat(scalar_first=True).tolist()
+        return replace(
+            rest_state(stand),
+            position=cast(Vec3, tuple(at.O1[0].tolist())),
+            quaternion=(w, i, j, k),
+            V=cast(Vec6, tuple(at.V[0].tolist())),
+            u=() if stand.hold is None else tuple(y[self.count :].tolist()),
+            phi=tuple(phi.tolist()),
+            phi_dot=tuple(phi_dot.tolist()),
+        )
 
     def displacement(self, y: Array) -> Array:
         """(M, 6; m, rad): way of O1 on the axes of the pose at x = 0, and rotation vector, from that pose.

@@ -20,7 +20,8 @@ from mahovik.core.stand.model import Stand, State, Vec3, Vec6
 from mahovik.core.stand.units import show
 from mahovik.errors import StateError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.use.simulate.held import complete_start, rates
+from mahovik.proof.verify.draw import with_pose
+from mahovik.use.simulate.held import allowed_start, rates
 
 Array = NDArray[np.float64]
 
@@ -106,7 +107,6 @@ class Case:
         """A state for evaluation, with the run-time wrenches at time t and a normalised quaternion."""
         length = math.hypot(*attitude)
         w, x, y, z = (float(c) / length for c in attitude)
-        hold = self.stand.hold
         return replace(
             self.start,
             position=cast(Vec3, tuple(position.tolist())),
@@ -116,17 +116,16 @@ class Case:
             phi=tuple(wrap_phases(phi).tolist()),
             phi_dot=tuple(phi_dot.tolist()),
             wrench=self.regime.wrench(t),
-            u=() if hold is None else rates(hold, V),
+            u=rates(self.stand.hold, V),
         )
 
     def moving(self, state: State, V_dot: Array, phi_ddot: Array) -> State:
         """The state with its accelerations."""
-        hold = self.stand.hold
         return replace(
             state,
             V_dot=cast(Vec6, tuple(V_dot.tolist())),
             phi_ddot=tuple(phi_ddot.tolist()),
-            u_dot=() if hold is None else rates(hold, V_dot),
+            u_dot=rates(self.stand.hold, V_dot),
         )
 
 
@@ -174,7 +173,7 @@ def read_start(text: str, stand: Stand, keys: tuple[str, ...] = START_KEYS, hint
             refuse_duplicates(start)
         _refuse_unknown(start, keys if stand.hold else tuple(key for key in keys if key != "u"), hint)
         state = read_request(stand, {**start, "want": ["forward"]}).state
-        return state if stand.hold is None else complete_start(stand, state, start.keys())
+        return allowed_start(stand, with_pose(stand, state, start.keys()) if stand.hold is not None else state)
     except StateError as error:
         raise UsageError(str(error)) from None
 

@@ -9,7 +9,7 @@ increment below half a unit is lost whole. A carry keeps what is lost.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import cast
 
@@ -26,13 +26,13 @@ from mahovik.core.stand.model import Hold, Stand, State, Vec3, rest_state
 from mahovik.errors import UsageError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.algebra import Array, carrier_rotation, cross, quaternion_rotation, rotation_vector
-from mahovik.proof.verify.draw import ALLOWED, freedoms, home_attitude, quaternion_of, with_pose, worst
+from mahovik.proof.verify.draw import ALLOWED, freedoms, home_attitude, quaternion_of, worst
 from mahovik.use.numeric.se3 import left_jacobian
 
 
-def rates(hold: Hold, V: Sequence[float] | Array) -> tuple[float, ...]:
-    """u (m) of V = S u (6); of another V the nearest."""
-    S = twists(hold)
+def rates(hold: Hold | None, V: Sequence[float] | Array) -> tuple[float, ...]:
+    """u (m) of V = S u (6); of another V the nearest; () of a free carrier, whose states have V alone."""
+    S = twists(hold) if hold is not None else np.zeros((6, 0))
     return tuple(np.linalg.lstsq(S, np.array(V), rcond=None)[0].tolist()) if S.shape[1] else ()
 
 
@@ -58,13 +58,6 @@ def displacement(start: State, C: Array, state: State) -> Array:
     turned = rotation_vector(C0.T @ C)
     moved = C0.T @ (np.array(state.position) - np.array(start.position))
     return np.concatenate([np.linalg.solve(left_jacobian(turned[None])[0], moved), turned])
-
-
-def complete_start(stand: Stand, state: State, keys: Collection[str]) -> State:
-    """The start of a held carrier, whose keys are `given`: a missing attitude is that of the home pose, a missing
-    position the one where the hold has the carrier. Raises UsageError where the hold does not allow the rest.
-    """
-    return allowed_start(stand, with_pose(stand, state, keys))
 
 
 def allowed_start(stand: Stand, state: State) -> State:

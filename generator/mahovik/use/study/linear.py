@@ -216,13 +216,12 @@ def linear_model(
     C = rate @ A[6:12]
     C[:, :12] += at
     names = tuple(place.name for place in seen)
-    nominal = replace(state, V_dot=tuple(V_dot.tolist()), tau=tuple(equations.tau.tolist()))
+    u_dot, tau = rates(stand.hold, V_dot), tuple(equations.tau.tolist())
+    nominal = replace(state, V_dot=tuple(V_dot.tolist()), u_dot=u_dot, tau=tau)
     channels = (states(stand, locked), inputs(stand, locked), outputs(names))
     D = rate @ B[6:12]
-    if stand.hold is not None:
-        nominal = replace(nominal, u_dot=rates(stand.hold, V_dot))
-        along, back = _along_freedoms(stand.hold, 2 * free)
-        A, B, C = back @ A @ along, back @ B, C @ along
+    along, back = _along_freedoms(stand.hold, 2 * free)
+    A, B, C = back @ A @ along, back @ B, C @ along
     return LinearModel(stand, nominal, names, locked, *channels, A + 0.0, B + 0.0, C + 0.0, D + 0.0)
 
 
@@ -240,7 +239,7 @@ def _check_hold(stand: Stand, locked: bool) -> None:
         raise CheckError(f"{start}[hold] clamps the carrier, and {reason}")
 
 
-def _along_freedoms(hold: Hold, of_flywheels: int) -> tuple[Array, Array]:
+def _along_freedoms(hold: Hold | None, of_flywheels: int) -> tuple[Array, Array]:
     """States of the free carrier by those of a held one, diag(S, S, E), and back; `others`: states of flywheels.
 
     The set of twists is closed, so the equations lead out of it nowhere, and any inverse of S takes them back.

@@ -256,12 +256,10 @@ class _Search:
 
         Of a held carrier these are the shifts and rotations of its freedoms: wherever its pivot is, O1 may move.
         """
-        weights = np.diag([1e3] * 3 + [1.0] * 3)
-        if self.stand.hold is not None:
-            S = twists(self.stand.hold)
-            turning = np.linalg.norm(S[3:], axis=0)
-            sizes = np.where(turning > 0.0, turning, 1e3 * np.linalg.norm(S[:3], axis=0))
-            weights = sizes[:, None] * np.linalg.pinv(S)
+        S = twists(self.stand.hold)
+        turning = np.linalg.norm(S[3:], axis=0)
+        sizes = np.where(turning > 0.0, turning, 1e3 * np.linalg.norm(S[:3], axis=0))
+        weights = sizes[:, None] * np.linalg.pinv(S)
         return np.asarray(np.linalg.lstsq(weights @ free, weights @ step, rcond=None)[0])
 
     def is_balanced(self, at: Pieces) -> bool:

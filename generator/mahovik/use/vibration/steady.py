@@ -27,7 +27,6 @@ from typing import NamedTuple
 import numpy as np
 from scipy.linalg import expm
 from scipy.sparse.linalg import LinearOperator, gmres
-from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import CheckError
@@ -186,21 +185,7 @@ class Steady:
     def state(self, theta: Array) -> State:
         """The state as `eval` and `simulate` take it, at phases theta (r; rad)."""
         phi, y, *_ = self.at(theta[None])
-        whole = self.scene.whole(y)[0]
-        at = self.scene.twists(whole[None])
-        w, i, j, k = Rotation.from_matrix(at.C[0]).as_quat(scalar_first=True).tolist()
-        X, Y, Z = at.O1[0].tolist()
-        u, v, a, p, q, r = whole[6:].tolist()
-        return replace(
-            self.scene.rest,
-            position=(X, Y, Z),
-            angles=None,
-            quaternion=(w, i, j, k),
-            V=(u, v, a, p, q, r),
-            u=() if self.scene.stand.hold is None else tuple(y[0, self.scene.count :].tolist()),
-            phi=tuple(phi[0].tolist()),
-            phi_dot=tuple(self.speeds.tolist()),
-        )
+        return self.scene.chart.state(y[0], phi[0], self.speeds)
 
     @property
     def multiplier(self) -> float:
