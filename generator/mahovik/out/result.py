@@ -12,7 +12,6 @@ import io
 import json
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from html import escape
 from itertools import product, zip_longest
 from pathlib import Path
 from textwrap import wrap
@@ -472,6 +471,8 @@ class Result(Mapping[str, Any]):
             yield f"{key_words(key)}: {words} {one.unit}".rstrip()
 
     def _repr_html_(self) -> str:
+        from html import escape
+
         parts = [f"<div><strong>{escape(self.title)}</strong></div>"]
         for one in (self, *(value for key, value in self.meta.items() if isinstance(value, Result))):
             if one.columns:

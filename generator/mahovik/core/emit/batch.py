@@ -6,6 +6,7 @@ Tables of n stands are prepared straight into the lanes in which the batches rea
 from __future__ import annotations
 
 from collections.abc import Collection
+from math import prod
 from typing import Any
 
 from mahovik.contract.functions import BATCH_FUNCTIONS
@@ -160,7 +161,7 @@ class _Printer:
         if a.name in PREPARED:
             return f"{a.name}s[(n + {self._made.lanes - 1}) / {self._made.lanes}]" if batch.own_table else a.name
         if isinstance(a.type, Struct):
-            return f"{a.name}[{reals(a.type, ints=True) * _length(a)} n]" if _varies(a) else a.name
+            return f"{a.name}[{reals(a.type, ints=True) * prod(map(int, a.shape))} n]" if _varies(a) else a.name
         if not a.shape:
             return a.name
         return f"{a.name}[{int(a.shape[0])}{' n' if _varies(a) else ''}]"
@@ -247,11 +248,6 @@ def _varies(a: Argument) -> bool:
     if a.name in PREPARED or is_shared(a.name):
         return False
     return isinstance(a.type, Struct) or (a.type is Kind.REAL and bool(a.shape))
-
-
-def _length(a: Argument) -> int:
-    """How many elements an argument has."""
-    return int(a.shape[0]) if a.shape else 1
 
 
 def _reals(struct: Struct) -> str:

@@ -288,7 +288,7 @@ class _Rewriting:
                     yield self._probe(last)
                 case When(condition, inner, ()) if isinstance(inner[-1], Return) or _only_checks(inner):
                     yield Set(self._suspect.place, self._suspect.place | self._doubt(condition))
-                case When(condition, inner, ()) if _returns(inner) and not _on_ints(condition):
+                case When(condition, inner, ()) if _returns(inner) and not on_ints(condition):
                     yield from self._probe_body(inner)  # more is suspected than is wrong
                 case When() | Loop():
                     yield with_blocks(s, lambda inner: tuple(self._probe_body(inner)))
@@ -321,7 +321,8 @@ def _only_checks(body: Statements) -> bool:
     return all(call is not None and _only_looks(call.signature) for call, _ in _checks(body))
 
 
-def _on_ints(condition: Expr) -> bool:
+def on_ints(condition: Expr) -> bool:
+    """Is a condition about ints? It may guard an index, so that its body must not be done for all states."""
     return any(isinstance(x, Place) and x.kind is Kind.INT for x in inside(condition))
 
 

@@ -39,7 +39,7 @@ from mahovik.core.program.expression import (
     word,
 )
 from mahovik.core.program.function import Function
-from mahovik.core.program.refusal import REFUSED
+from mahovik.core.program.refusal import REFUSED, on_ints
 from mahovik.core.program.simplify import prune
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, Statements, When
 from mahovik.core.program.types import Field, Kind, Precision, Struct
@@ -253,7 +253,7 @@ class _Widening:
                     statements.append(s)
                 case When(condition) if self._varying.expression(condition):
                     statements += self._when(s, where)
-                case When(condition) if where is not None and not _on_ints(condition):
+                case When(condition) if where is not None and not on_ints(condition):
                     statements += self._when(s, where)
                 case When():
                     yes, no = self._select(s.body, where), self._select(s.otherwise, where)
@@ -325,7 +325,7 @@ class _Widening:
         """Are there several stretches under a condition, because of a loop or of a condition on ints of the stand?"""
         return any(
             isinstance(x, Loop)
-            or (isinstance(x, When) and _on_ints(x.condition) and not self._varying.expression(x.condition))
+            or (isinstance(x, When) and on_ints(x.condition) and not self._varying.expression(x.condition))
             for x in statements((*s.body, *s.otherwise))
         )
 
@@ -486,11 +486,6 @@ def _is_magnitude(e: Select) -> bool:
     if not isinstance(number, Place) or not isinstance(e.no, Place):
         return False
     return bool(number.path) and number.root is e.no.root and repr(number) == repr(e.no)
-
-
-def _on_ints(condition: Expr) -> bool:
-    """Is a condition about ints? It may guard an index, so that its body must not be done for all states."""
-    return any(isinstance(x, Place) and x.kind is Kind.INT for x in inside(condition))
 
 
 def _only_refuse(body: Statements) -> bool:

@@ -294,13 +294,16 @@ def changed(data: Any, size: float, rng: np.random.Generator) -> Any:
     """Nested data with every number times 1 + size u, |u| <= 1; whole numbers stay."""
     if isinstance(data, float):
         return data * (1.0 + size * rng.uniform(-1.0, 1.0))
+    if data is None or isinstance(data, str | int):
+        return data
     if isinstance(data, np.ndarray):
         return data * (1.0 + size * rng.uniform(-1.0, 1.0, data.shape)) if data.dtype.kind == "f" else data
     if isinstance(data, tuple):
         if all(isinstance(element, float) for element in data):
-            return tuple(changed(np.array(data), size, rng).tolist())
+            parts = rng.uniform(-1.0, 1.0, len(data)).tolist()
+            return tuple([x * (1.0 + size * part) for x, part in zip(data, parts, strict=True)])
         return tuple(changed(element, size, rng) for element in data)
-    if is_dataclass(data) and not isinstance(data, type):
+    if is_dataclass(data):
         return replace(data, **{f.name: changed(getattr(data, f.name), size, rng) for f in fields(data) if f.init})
     if isinstance(data, Mapping):
         return type(data)({name: changed(value, size, rng) for name, value in data.items()})  # type: ignore

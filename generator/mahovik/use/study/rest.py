@@ -205,7 +205,7 @@ class _Search:
         h, last, stuck, loose_before, carried = 0.0, math.inf, 0, math.inf, True
         for _ in range(MOST):
             at = self.at(self.state)
-            V_dot, S, pull = self.acceleration(at), self.stiffness(), self.scale @ (at.F - bias(at))
+            V_dot, S, pull = self.acceleration(at), self.stiffness(at.C), self.scale @ (at.F - bias(at))
             _, sizes, rows = np.linalg.svd(S)
             soft = sizes <= FREE * sizes[0]
             if np.all(np.abs(V_dot) <= self.tolerance(at)):
@@ -240,9 +240,10 @@ class _Search:
 
     def push(self, size: float) -> State:
         """The state pushed along its most negative stiffness, by `size` (m or rad)."""
-        values, vectors = np.linalg.eig(self.stiffness())
+        C = self.at(self.state).C
+        values, vectors = np.linalg.eig(self.stiffness(C))
         direction = self.scale.T @ np.real(vectors[:, int(np.argmin(values.real))])
-        return self.displace(self.at(self.state).C, size / np.abs(direction).max() * direction)
+        return self.displace(C, size / np.abs(direction).max() * direction)
 
     def displace(self, C: Array, step: Array) -> State:
         """The present state displaced by a small twist in E1 (6); of a held carrier along what its hold allows."""
@@ -291,9 +292,8 @@ class _Search:
         rounding = 32 * np.finfo(float).eps * (np.abs(self.scale.T @ self.scale) @ sizes)
         return np.asarray(np.maximum(AT_REST, rounding))
 
-    def stiffness(self) -> Array:
-        """Minus the derivative of the wrench by the pose (6x6, 1/s2), both scaled by the mass matrix."""
-        C = self.at(self.state).C
+    def stiffness(self, C: Array) -> Array:
+        """Minus the derivative of the wrench by the pose (6x6, 1/s2) of attitude C, both scaled by the mass matrix."""
         columns: list[Array] = []
         for step, whole in zip(self.steps, self.scale, strict=True):
             forward, backward = (self.wrench(self.displace(C, sign * step), C) for sign in (1.0, -1.0))

@@ -146,15 +146,12 @@ def _needed_share(stand: Stand, at: Pieces, rows: TaskRows) -> Array:
 
     The drive torques are linear in the motion that a flywheel makes: tau = tau_0 + I^T V* + Theta_ff phi''.
     """
-
-    def answer(demand: Array) -> Array:
-        return least_error(scaled_task(at, rows, rows.s + demand), weights(stand)).phi_ddot
-
     m, none = len(rows.S), np.zeros(len(stand.flywheels))
-    still, at_rest = answer(np.zeros(m)), torque(at, np.zeros(6), none)
+    scaled, at_rest, of_motors = scaled_task(at, rows, rows.s), torque(at, np.zeros(6), none), weights(stand)
+    still = least_error(scaled, of_motors).phi_ddot
 
     def shares(demand: Array) -> Array:
-        phi_ddot = answer(demand) - still
+        phi_ddot = least_error(replace(scaled, c=scaled.c - demand), of_motors).phi_ddot - still
         tau = at_rest + at.I.T @ forward(at, phi_ddot) + np.diag(at.Theta_ff) * phi_ddot
         return shares_of(stand, at, tau, phi_ddot)
 

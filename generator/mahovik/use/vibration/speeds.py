@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.laws import MAX_SPEED
+from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.numbers import in_si
 from mahovik.core.stand.units import ANGLE, SPEED, Dimension, QuantityError
@@ -160,8 +160,8 @@ def read_speeds(stand: Stand, asked: Asked) -> SpeedPlan:
     plan = SpeedPlan(tuple(names), tuple(constant.values()), tuple(factor.values()), sweep, leader)
     for value in sweep or (0.0,):
         for name, speed in zip(names, plan.speeds(value), strict=True):
-            if not abs(speed) <= MAX_SPEED:
-                raise UsageError(f"speed: {name} would turn at {speed:.9g} rad/s, at most {MAX_SPEED:g} is possible")
+            if not abs(speed) <= (most := BOUNDS["MAX_SPEED"].value):
+                raise UsageError(f"speed: {name} would turn at {speed:.9g} rad/s, at most {most:g} is possible")
     return plan
 
 
