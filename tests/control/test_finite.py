@@ -136,7 +136,7 @@ def test_the_servos_of_a_slew_are_exported_and_judged(files: dict[str, str], tmp
     Path(files["P.json"]).write_text(json.dumps(text | {"motion": "other"}))
     assert "programme of another motion" in refused(*judge, "--programme", files["P.json"])
     only = [*judge[:5], "--programme", files["P.json"]]
-    assert "needs --motion M.json, which is missing" in refused(*only)
+    assert "--programme: needs --motion FILE" in refused(*only)
 
 
 def test_before_and_after_it_the_wheels_turn_evenly_and_the_carrier_rests() -> None:
