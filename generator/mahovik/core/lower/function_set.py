@@ -82,17 +82,17 @@ class FunctionSet:
         return tuple(self._functions.values())
 
     @property
-    def table(self) -> Argument:
+    def table(self) -> Any:
         """The prepared stand."""
         return Argument("table", self.layout.table, purpose="the prepared table")
 
     @property
-    def x(self) -> Argument:
+    def x(self) -> Any:
         """The state."""
         return Argument("x", self.layout.state, purpose="state; its attitude within 1e-3 of unit length")
 
     @property
-    def damper(self) -> Argument:
+    def damper(self) -> Any:
         """What the table has of a body for the laws of its own twist."""
         return Argument("damper", self.layout.damper)
 

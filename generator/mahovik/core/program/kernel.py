@@ -121,6 +121,13 @@ Ints = Reals
 """An array of ints."""
 
 
+class Record(Protocol):
+    """A struct in the text of a kernel: its members."""
+
+    def __getattr__(self, name: str) -> Any: ...
+    def member(self, name: str) -> Any: ...
+
+
 class Result(Protocol):
     """A number that a function gives through a pointer, or a variable that an inline kernel changes."""
 
@@ -397,7 +404,7 @@ class _Text:
 
     def kind(self, name: str) -> Kind:
         """The kind of an argument; REAL of one that is not always there."""
-        return self._looked_up(name, self.annotations[name], {**KINDS, "Any": Kind.REAL})
+        return self._looked_up(name, self.annotations[name], {**KINDS, "Any": Kind.REAL, "Record": Kind.REAL})
 
     def kind_of_result(self, of_any: Kind | None) -> Kind | None:
         """What the function returns, `of_any` where its text leaves that open."""

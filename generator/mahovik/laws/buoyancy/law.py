@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, ClassVar, Self
 
 import numpy as np
 
@@ -51,7 +51,7 @@ class Buoyancy(BodyLaw):
         return self.displaced_mass, self.center
 
     @classmethod
-    def structure(cls, stand: Stand) -> dict[str, Any]:
+    def structure(cls, stand: Stand) -> dict[str, object]:
         """Whether a fixed body displaces mass, and indices of the flywheels that do: only where there is gravity.
 
         Fixed bodies add up to constants, so it does not matter which of them it is.

@@ -146,12 +146,12 @@ class ControlDerivatives(BodyLaw):
         terms = tuple(term for term in law.terms if term.value)
         return replace(law, terms=terms, race=(law.race or 0.0) if _races(terms) else 0.0)
 
-    def as_keys(self) -> dict[str, Any]:
+    def as_keys(self) -> dict[str, object]:
         """Terms, and the constant of the race where one has it."""
         return {key: value for key, value in super().as_keys().items() if key != "race" or _races(self.terms)}
 
     @classmethod
-    def structure(cls, stand: Stand) -> dict[str, Any]:
+    def structure(cls, stand: Stand) -> dict[str, object]:
         """Body index and what each derivative is made of, inputs by their place among those of the table.
 
         Nothing without, as other stands have it.

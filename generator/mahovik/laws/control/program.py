@@ -9,7 +9,7 @@ from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import OWN_TWIST, SIX, WRENCH, BodyProgram
 from mahovik.core.lower.units import Member, member
-from mahovik.core.program.kernel import Reals, inline, let, reals
+from mahovik.core.program.kernel import Reals, Record, inline, let, reals
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand, Structure
 from mahovik.laws.control.law import MOST_FACTORS, Control, ControlDerivatives, Factor
@@ -70,13 +70,13 @@ class Steering(BodyProgram):
         )
         return Struct("control", "A control derivative.", fields)
 
-    def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    def rows(self, body: Body, before: Sequence[dict[str, float]]) -> list[dict[str, float]]:
         """The derivatives of a body.
 
         Its inputs come after those of the bodies before it, as in `_inputs`: no two bodies share one.
         """
         law, inputs, rows = body.law(ControlDerivatives), dict[Factor, int](), []
-        start = max((TWIST, *(row[name] + 1 for row in before for name in ORDER)))
+        start = max((TWIST, *(int(row[name]) + 1 for row in before for name in ORDER)))
 
         def place(factor: Factor) -> int:
             if not isinstance(factor, Control):
@@ -93,19 +93,19 @@ class Steering(BodyProgram):
         races = any(what == "race" for what, _, _ in _inputs(structure))
         return super().damper_fields(structure) + ([RACE] if races else [])
 
-    def damper_values(self, body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    def damper_values(self, body: Body, damper: Struct, rows: dict[str, list[dict[str, object]]]) -> dict[str, object]:
         """The range of the derivatives, and the constant of races."""
         law = body.law(ControlDerivatives)
         constant = {"race": law.race if law else 0.0} if damper.field("race") is not None else {}
         return super().damper_values(body, damper, rows) | constant
 
-    def damper_members(self, name: str, damper: Struct, value: Any) -> Iterator[Member]:
+    def damper_members(self, name: str, damper: Struct, value: object) -> Iterator[Member]:
         """The constant of races; the derivatives follow in a table of their own."""
         if damper.field("race") is not None:
             text, size = f"{name}: constant of the races of its propellers", float(member(value, "race"))
             yield Member(f"{name}.control_derivatives.race", units.RACE, text, size, positive=True)
 
-    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Sequence[object]) -> Iterator[Member]:
         """The derivatives, with their bodies and factors."""
         laws = ((body.name, body.law(ControlDerivatives)) for body in stand.bodies)
         derivatives = [(name, term) for name, law in laws if law is not None for term in law.terms]
@@ -123,7 +123,7 @@ class Steering(BodyProgram):
 
         @lib.kernel(equation="(7)")
         def add_control(
-            table: Any = lib.table, damper: Any = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH
+            table: Record = lib.table, damper: Record = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH
         ) -> None:
             """Adds the control derivatives of one body to its wrench, both in the body's own frame."""
             x = reals(size)  # 1, u v w p q r, their magnitudes, inputs

@@ -112,7 +112,7 @@ class CrossFlow(BodyLaw):
         return (any(self.height) and any(self.drag_y)) or (any(self.breadth) and any(self.drag_z))
 
     @classmethod
-    def structure(cls, stand: Stand) -> dict[str, Any]:
+    def structure(cls, stand: Stand) -> dict[str, object]:
         """Body index, number of strips and kind of each cross-flow drag; nothing without, as other stands have it."""
         result = tuple((i, law.points * (len(law.x) - 1), law.together) for i, _, law in cls.of(stand))
         return {"cross_flow": result} if result else {}

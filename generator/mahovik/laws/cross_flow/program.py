@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 
@@ -13,7 +12,7 @@ from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import OWN_TWIST, WRENCH, BodyProgram
 from mahovik.core.lower.units import Member, member
-from mahovik.core.program.kernel import Reals
+from mahovik.core.program.kernel import Reals, Record
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Body, Stand, Structure
 from mahovik.laws.cross_flow.law import CrossFlow
@@ -81,12 +80,12 @@ class Strips(BodyProgram):
             )
         return Struct("strip", "A strip of a slender body in cross flow.", tuple(fields))
 
-    def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    def rows(self, body: Body, before: Sequence[dict[str, object]]) -> list[dict[str, object]]:
         """The strips of a body."""
         law = body.law(CrossFlow)
         return [asdict(strip) | {"together": int(law.together)} for strip in strips_of(law)] if law else []
 
-    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Sequence[object]) -> Iterator[Member]:
         """The strips, with their bodies."""
         laws = ((body.name, body.law(CrossFlow)) for body in stand.bodies)
         strips = [(name, k) for name, law in laws if law for k in range(len(strips_of(law)))]
@@ -105,7 +104,7 @@ class Strips(BodyProgram):
 
         @lib.kernel(equation="(7)")
         def add_strips(
-            table: Any = lib.table, damper: Any = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH
+            table: Record = lib.table, damper: Record = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH
         ) -> None:
             """Adds the cross-flow drag of one body to its wrench, both in the body's own frame."""
             for strip in self.elements(lib, table, damper):

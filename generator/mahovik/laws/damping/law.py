@@ -118,18 +118,18 @@ class Damping(BodyLaw):
         damping = super().of_table(table, contains_products=table.derivatives, **more)
         return replace(damping, terms=tuple(term for term in damping.terms if term.value))
 
-    def as_keys(self) -> dict[str, Any]:
+    def as_keys(self) -> dict[str, object]:
         """Matrices and terms, those that there are."""
         return super().as_keys() | ({"derivatives": WITH_PRODUCTS} if self.contains_products else {})
 
     @classmethod
-    def structure(cls, stand: Stand) -> dict[str, Any]:
+    def structure(cls, stand: Stand) -> dict[str, object]:
         """Body indices of each kind of damping, and what each hydrodynamic derivative is made of.
 
         Without derivatives that contain the products of added mass their key is missing, as other stands have it.
         """
         damped = [(i, damping) for i, _, damping in cls.of(stand)]
-        result = {
+        result: dict[str, object] = {
             "linear_damping": tuple(i for i, damping in damped if damping.linear is not None),
             "quadratic_damping": tuple(i for i, damping in damped if damping.quadratic is not None),
             "damping_terms": tuple(

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import CYCLES, OWN_TWIST, SIX, WRENCH, BodyProgram
 from mahovik.core.lower.units import Member, matrix, member
-from mahovik.core.program.kernel import Reals, reals
+from mahovik.core.program.kernel import Reals, Record, reals
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import ZERO6
@@ -56,7 +55,7 @@ class DampingProgram(BodyProgram):
         """One derivative."""
         return TERM
 
-    def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    def rows(self, body: Body, before: Sequence[dict[str, object]]) -> list[dict[str, float]]:
         """The derivatives of a body."""
         rows, law = [], body.law(Damping)
         for term in law.terms if law else ():
@@ -71,7 +70,7 @@ class DampingProgram(BodyProgram):
         contained = [CONTAINED] if structure.law("products_in_derivatives") else []
         return [*matrices, *super().damper_fields(structure), *contained]
 
-    def damper_values(self, body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    def damper_values(self, body: Body, damper: Struct, rows: dict[str, list[dict[str, object]]]) -> dict[str, object]:
         """Matrices and the range of the derivatives; zeros where the body has none."""
         law = body.law(Damping)
         matrices = dict(law.matrices) if law else {}
@@ -80,7 +79,7 @@ class DampingProgram(BodyProgram):
         members = {f.name: matrices.get(f.name, ZERO6) for f in (LINEAR, QUADRATIC, CONTAINED) if damper.field(f.name)}
         return members | super().damper_values(body, damper, rows)
 
-    def damper_members(self, name: str, damper: Struct, value: Any) -> Iterator[Member]:
+    def damper_members(self, name: str, damper: Struct, value: object) -> Iterator[Member]:
         """Matrices of damping; the hydrodynamic derivatives follow in a table of their own."""
         twist = "of its own twist relative to the fluid, in its own frame"
         for field, words, unit in (
@@ -93,7 +92,7 @@ class DampingProgram(BodyProgram):
                 path = f"{name}.damping.{field.name}"
                 yield from matrix(path, field, member(value, field.name), unit, f"{name}: {words}")
 
-    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Sequence[object]) -> Iterator[Member]:
         """Hydrodynamic derivatives, with their bodies and factors."""
         laws = ((body.name, body.law(Damping)) for body in stand.bodies)
         derivatives = [(name, term) for name, law in laws if law is not None for term in law.terms]
@@ -111,7 +110,9 @@ class DampingProgram(BodyProgram):
         )
 
         @lib.kernel(equation="(7)")
-        def damp(table: Any = lib.table, damper: Any = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH) -> None:
+        def damp(
+            table: Record = lib.table, damper: Record = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH
+        ) -> None:
             """Adds the damping of one body to its wrench, both in the body's own frame."""
             if terms or quadratic:
                 x = reals(12)  # u v w p q r and their magnitudes

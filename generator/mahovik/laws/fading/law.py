@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, ClassVar, Self
 
 from mahovik.core.stand.declare import AS_MATRIX, BRAKES, TIMES, Draw, Drawn, Size, uniform
 from mahovik.core.stand.fields import LINEAR, matrix, scalar
@@ -47,7 +47,7 @@ class FadingDamping(BodyLaw):
         return any(map(any, self.linear))
 
     @classmethod
-    def structure(cls, stand: Stand) -> dict[str, Any]:
+    def structure(cls, stand: Stand) -> dict[str, object]:
         """Indices of the bodies with fading damping; nothing without, as other stands have it."""
         return {"fading_damping": tuple(i for i, _, _ in cls.of(stand))} if cls.of(stand) else {}
 

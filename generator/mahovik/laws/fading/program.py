@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import OWN_TWIST, WRENCH, BodyProgram
 from mahovik.core.lower.units import Member, matrix, member
-from mahovik.core.program.kernel import Reals
+from mahovik.core.program.kernel import Reals, Record
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import ZERO6
@@ -34,14 +33,14 @@ class Fading(BodyProgram):
         """Matrix and rate, where any body has them."""
         return [LINEAR, RATE] if self.bodies(structure) else []
 
-    def damper_values(self, body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    def damper_values(self, body: Body, damper: Struct, rows: dict[str, list[dict[str, object]]]) -> dict[str, object]:
         """Matrix and rate; zeros where the body has no such damping."""
         if damper.field("fading") is None:
             return {}
         law = body.law(FadingDamping)
         return {"fading": law.linear if law else ZERO6, "fading_rate": law.rate if law else 0.0}
 
-    def damper_members(self, name: str, damper: Struct, value: Any) -> Iterator[Member]:
+    def damper_members(self, name: str, damper: Struct, value: object) -> Iterator[Member]:
         """Matrix and rate."""
         if damper.field("fading") is None:
             return
@@ -56,7 +55,7 @@ class Fading(BodyProgram):
         lib.add_exponential()
 
         @lib.kernel(equation="(7)")
-        def add_fading(damper: Any = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH) -> None:
+        def add_fading(damper: Record = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH) -> None:
             """Adds the fading damping of one body to its wrench, both in the body's own frame."""
             speed = lib["sqrt"](dot(V[0:3], V[0:3]))  # of the body through the fluid
             fade = lib["exp"](-(damper.fading_rate * speed))

@@ -159,7 +159,7 @@ class Fins(BodyLaw):
         )
 
     @classmethod
-    def structure(cls, stand: Stand) -> dict[str, Any]:
+    def structure(cls, stand: Stand) -> dict[str, object]:
         """Body index, names and kinds of the fins of each body; nothing without, as other stands have it."""
         kinds = tuple(
             (i, tuple((fin.name, fin.incidence, fin.stall is not None) for fin in law.fins))

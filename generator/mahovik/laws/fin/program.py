@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import CYCLES, OWN_TWIST, THREE, WRENCH, BodyProgram, RunTimeInput
 from mahovik.core.program.expression import real
-from mahovik.core.program.kernel import Reals, reals
+from mahovik.core.program.kernel import Reals, Record, reals
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import unit
@@ -87,11 +86,11 @@ class LiftingFins(BodyProgram):
         kinds = _kinds(structure)
         return fin_struct(any(stalls for *_, stalls in kinds), any(incidence for _, incidence, _ in kinds))
 
-    def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    def rows(self, body: Body, before: Sequence[dict[str, object]]) -> list[dict[str, object]]:
         """The fins of a body."""
         rows, law = [], body.law(Fins)
         for fin in law.fins if law else ():
-            row: dict[str, Any] = {key: getattr(fin, key) for key in ("deflection", "lift_slope", "drag", "induced")}
+            row: dict[str, object] = {key: getattr(fin, key) for key in ("deflection", "lift_slope", "drag", "induced")}
             row |= {key: list(axis) for key, axis in zip(("chord", "span", "normal"), axes_of(fin), strict=True)}
             row |= {"position": list(fin.position), "size": 0.5 * fin.density * fin.area}
             row |= {"speed": SPEEDS.index(fin.speed), "incidence": int(fin.incidence)}
@@ -104,7 +103,9 @@ class LiftingFins(BodyProgram):
         turning, stalling = any(incidence for _, incidence, _ in kinds), any(stalls for *_, stalls in kinds)
 
         @lib.kernel(equation="(7)")
-        def add_fins(table: Any = lib.table, damper: Any = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH) -> None:
+        def add_fins(
+            table: Record = lib.table, damper: Record = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH
+        ) -> None:
             """Adds lift and drag of the fins of one body to its wrench, both in the body's own frame."""
             for fin in self.elements(lib, table, damper):
                 r = fin.position

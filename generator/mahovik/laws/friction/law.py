@@ -120,7 +120,7 @@ class Frictions(HeldLaw):
                 note(f"friction[{k}]", "freedom", words)
 
     @classmethod
-    def structure(cls, law: Self | None, stand: Stand) -> dict[str, Any]:
+    def structure(cls, law: Self | None, stand: Stand) -> dict[str, object]:
         """How many freedoms have friction."""
         return {} if law is None else {"frictions": len(law.frictions)}
 

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import WRENCH, CarrierProgram, Run, declared
-from mahovik.core.program.kernel import Reals, argument
+from mahovik.core.program.kernel import Reals, Record, argument
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.hold import wrench_columns
@@ -33,7 +32,7 @@ class FrictionProgram(CarrierProgram):
         """One struct per freedom with friction."""
         return [(FRICTION, structure.law("frictions"), "rub")] if structure.law("frictions") else []
 
-    def values(self, stand: Stand, run: Run) -> dict[str, Any]:
+    def values(self, stand: Stand, run: Run) -> dict[str, object]:
         """The numbers of the file, and the wrench along the freedom; without a rise any speed that is not zero."""
         assert stand.hold is not None
         along, rows = wrench_columns(stand.hold), []
@@ -58,7 +57,7 @@ class FrictionProgram(CarrierProgram):
 
         @lib.kernel(equation="(7)", purpose=f"Adds the friction of one freedom: {words}.")
         def rub(
-            law: Any = argument(struct=FRICTION), V: Reals = argument("twist of the carrier", 6), F: Reals = WRENCH
+            law: Record = argument(struct=FRICTION), V: Reals = argument("twist of the carrier", 6), F: Reals = WRENCH
         ) -> None:
             """Adds the friction of one freedom."""
             speed = dot(V, law.direction)  # of the freedom

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, ClassVar, Self
 
 from mahovik.core.stand import units
 from mahovik.core.stand.declare import AS_VECTOR, TIMES, Declared, Draw, InC, normal, uniform
@@ -48,12 +48,12 @@ class Legs(CarrierLaw):
     legend: ClassVar[tuple[str, str]] = ("zigzags", "legs to the ground (hatched), carrier at q = 0")
 
     @classmethod
-    def content(cls, law: Self | None) -> dict[str, Any]:
+    def content(cls, law: Self | None) -> dict[str, object]:
         """The numbers from which the identity of a stand is made; an empty list without, as from the beginning."""
         return asdict(law or cls(()))
 
     @classmethod
-    def structure(cls, law: Self | None, stand: Stand) -> dict[str, Any]:
+    def structure(cls, law: Self | None, stand: Stand) -> dict[str, object]:
         """The number of legs."""
         return {"legs": len(law.legs) if law else 0}
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, Run, declared
 from mahovik.core.program.expression import Status
-from mahovik.core.program.kernel import OK, RANGE, Reals, argument, reals
+from mahovik.core.program.kernel import OK, RANGE, Reals, Record, argument, reals
 from mahovik.core.program.types import Struct
 from mahovik.core.program.vector import cross, dot
 from mahovik.core.stand.model import Stand, Structure
@@ -27,7 +25,7 @@ class LegsProgram(CarrierProgram):
         """One struct per leg."""
         return [(LEG, structure.law("legs"), "add_leg")] if structure.law("legs") else []
 
-    def values(self, stand: Stand, run: Run) -> dict[str, Any]:
+    def values(self, stand: Stand, run: Run) -> dict[str, object]:
         """Every leg as the file gives it."""
         return {"leg": [{f.name: getattr(leg, f.name) for f in LEG.fields} for leg in legs_of(stand)]}
 
@@ -36,7 +34,9 @@ class LegsProgram(CarrierProgram):
         least = lib.thresholds.zero_length
 
         @lib.kernel(equation="(7)", statuses=("OK", "RANGE"))
-        def add_leg(leg: Any = argument(struct=LEG), x: Any = lib.x, C: Reals = ATTITUDE, F: Reals = WRENCH) -> Status:
+        def add_leg(
+            leg: Record = argument(struct=LEG), x: Record = lib.x, C: Reals = ATTITUDE, F: Reals = WRENCH
+        ) -> Status:
             """Adds the wrench of one leg; RANGE if its ends meet, since it then has no direction."""
             span = reals(3)
             span1 = reals(3)  # in E1, from O1

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, ClassVar, Self
 
 from mahovik.core.stand import units
 from mahovik.core.stand.declare import TIMES_EACH, Declared, Draw
@@ -106,7 +106,7 @@ class Propellers(BodyLaw):
         return type(self)(tuple(replace(p, speed=speeds.get(p.name, p.speed)) for p in self.propellers))
 
     @classmethod
-    def structure(cls, stand: Stand) -> dict[str, Any]:
+    def structure(cls, stand: Stand) -> dict[str, object]:
         """Body index, names and kinds of the propellers of each body; nothing without, as other stands have it."""
         kinds = tuple((i, tuple((p.name, p.whole) for p in law.propellers)) for i, _, law in cls.of(stand))
         return {"propellers": kinds} if kinds else {}

@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import CYCLES, OWN_TWIST, THREE, WRENCH, BodyProgram, RunTimeInput
 from mahovik.core.lower.units import Member, member
-from mahovik.core.program.kernel import Reals, reals
+from mahovik.core.program.kernel import Reals, Record, reals
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import unit
@@ -109,7 +108,7 @@ class ScrewPropellers(BodyProgram):
             fields.append(Field("whole", INT, (), "", "1: a is the length of the velocity; 0: its part along the axis"))
         return Struct("propeller", "A propeller of which the speed is given.", tuple(fields))
 
-    def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    def rows(self, body: Body, before: Sequence[dict[str, object]]) -> list[dict[str, object]]:
         """The propellers of a body."""
         law = body.law(Propellers)
         pairs = [(p, screw_of(p)) for p in law.propellers] if law else []
@@ -119,7 +118,7 @@ class ScrewPropellers(BodyProgram):
             for p, screw in pairs
         ]  # fmt: skip
 
-    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Sequence[object]) -> Iterator[Member]:
         """The propellers, with their bodies and names."""
         propellers = [
             (body.name, p.name) for body in stand.bodies if (law := body.law(Propellers)) for p in law.propellers
@@ -142,7 +141,7 @@ class ScrewPropellers(BodyProgram):
 
         @lib.kernel(equation="(7)")
         def add_propellers(
-            table: Any = lib.table, damper: Any = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH
+            table: Record = lib.table, damper: Record = lib.damper, V: Reals = OWN_TWIST, P: Reals = WRENCH
         ) -> None:
             """Adds thrust and torque of the propellers of one body to its wrench, both in the body's own frame."""
             for p in self.elements(lib, table, damper):

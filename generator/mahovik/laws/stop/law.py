@@ -71,7 +71,7 @@ class Stop(FreedomItem):
             return None
         return cls(freedom, name, at, at > 0.0 if table.side is None else table.side, stiffness, damping)
 
-    def as_keys(self) -> dict[str, Any]:
+    def as_keys(self) -> dict[str, object]:
         """Its keys in a stand file, in SI."""
         return super().as_keys() | {"side": "above" if self.above else "below"}
 
@@ -103,7 +103,7 @@ class Stops(HeldLaw):
                 note("stop", problem)
 
     @classmethod
-    def structure(cls, law: Self | None, stand: Stand) -> dict[str, Any]:
+    def structure(cls, law: Self | None, stand: Stand) -> dict[str, object]:
         """How many stops there are of what slides, and of what turns."""
         if law is None or stand.hold is None:
             return {}

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Literal
+from typing import Literal
 
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, Run, declared
-from mahovik.core.program.kernel import Reals, argument, inline
+from mahovik.core.program.kernel import Reals, Record, argument, inline
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.hold import wrench_columns
@@ -45,7 +45,7 @@ SLIDE_STOP = _struct(
 
 
 @inline
-def push(law: Any, V: Reals, coordinate: float, F: Reals) -> None:
+def push(law: Record, V: Reals, coordinate: float, F: Reals) -> None:
     """F -= side depth (stiffness + damping side speed) W, where both factors are positive: a stop never pulls."""
     depth = (coordinate - law.at) * law.side  # beyond the stop
     if depth > 0:
@@ -67,13 +67,13 @@ class StopsProgram(CarrierProgram):
         kinds = ((SLIDE_STOP, "slide_stops", "stop_slide"), (TURN_STOP, "turn_stops", "stop_turn"))
         return [(struct, count, name) for struct, key, name in kinds if (count := structure.law(key))]
 
-    def values(self, stand: Stand, run: Run) -> dict[str, Any]:
+    def values(self, stand: Stand, run: Run) -> dict[str, list[dict[str, object]]]:
         """The numbers of the file, the wrench along the freedom, and its home pose."""
         hold = stand.hold
         assert hold is not None
         attitude = run("quaternion", {"angles": hold.angles})[1]["attitude"]
         C0, along = run("rotation", {"q": attitude})[1]["C"], wrench_columns(hold)
-        rows: dict[str, list[dict[str, Any]]] = {}
+        rows: dict[str, list[dict[str, object]]] = {}
         for stop in stops_of(stand):
             kind = hold.freedoms[stop.freedom].kind
             rows.setdefault(f"{kind}_stop", []).append(_row(stop, hold, kind, along[stop.freedom], C0))
@@ -92,7 +92,7 @@ class StopsProgram(CarrierProgram):
 
             @lib.kernel(equation="(7)")
             def stop_slide(
-                law: Any = argument(struct=SLIDE_STOP), table: Any = lib.table, x: Any = lib.x,
+                law: Record = argument(struct=SLIDE_STOP), table: Record = lib.table, x: Record = lib.x,
                 C: Reals = ATTITUDE, F: Reals = WRENCH,
             ) -> None:  # fmt: skip
                 """Adds the push of a stop of what slides."""
@@ -103,7 +103,7 @@ class StopsProgram(CarrierProgram):
 
             @lib.kernel(equation="(7)")
             def stop_turn(
-                law: Any = argument(struct=TURN_STOP), x: Any = lib.x, C: Any = ATTITUDE, F: Reals = WRENCH
+                law: Record = argument(struct=TURN_STOP), x: Record = lib.x, C: Reals = ATTITUDE, F: Reals = WRENCH
             ) -> None:
                 """Adds the push of a stop of what turns."""
                 R: Reals = (law.C0.T @ C.square).flat  # attitude from the home pose, row by row
@@ -123,7 +123,7 @@ class StopsProgram(CarrierProgram):
 LAW = StopsProgram()
 
 
-def _row(stop: Stop, hold: Hold, kind: str, direction: list[float], C0: list[float]) -> dict[str, Any]:
+def _row(stop: Stop, hold: Hold, kind: str, direction: list[float], C0: list[float]) -> dict[str, object]:
     """Numbers of one stop; the moment of what turns is its axis."""
     row = {"direction": direction, "at": stop.at, "side": 1.0 if stop.above else -1.0}
     row |= {"stiffness": stop.stiffness, "damping": stop.damping}

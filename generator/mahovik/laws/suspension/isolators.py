@@ -50,7 +50,7 @@ _AXES = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
 def _along_axes(dimension: Dimension) -> Any:
     """A validator of three numbers of at least zero."""
 
-    def read(raw: Any) -> tuple[float, ...]:
+    def read(raw: object) -> tuple[float, ...]:
         if isinstance(raw, dict) and {"ratio", "loss"} & raw.keys():
             key = next(key for key in ("ratio", "loss") if key in raw)
             raise QuantityError(f"expected 3 numbers; {key} is a key beside it: {key} = {raw[key]}")

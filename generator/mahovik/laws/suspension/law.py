@@ -86,7 +86,7 @@ class Suspension(CarrierLaw):
         return bool(self.rows)
 
     @classmethod
-    def content(cls, law: Self | None) -> dict[str, Any]:
+    def content(cls, law: Self | None) -> dict[str, object]:
         """All numbers; None without, as identities had it from the beginning."""
         sources = ("isolators", "preload")
         numbers = {} if law is None else asdict(law)
@@ -112,7 +112,7 @@ class Suspension(CarrierLaw):
         law = cls(made.stiffness, made.damping, made.position, made.angles, bool(raw), isolators)
         return stand.with_laws(law) if law.acts else stand
 
-    def as_tables(self) -> dict[str, Any]:
+    def as_tables(self) -> dict[str, object]:
         """Its tables in a stand file: isolators as such."""
         if not self.isolators:
             return super().as_tables()
@@ -124,7 +124,7 @@ class Suspension(CarrierLaw):
         return replace(super().with_errors(errors), isolators=(), preload=False)
 
     @classmethod
-    def structure(cls, law: Self | None, stand: Stand) -> dict[str, Any]:
+    def structure(cls, law: Self | None, stand: Stand) -> dict[str, object]:
         """Whether there is a suspension."""
         return {"suspension": law is not None}
 

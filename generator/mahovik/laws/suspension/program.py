@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Sequence
 
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, Run, declared
 from mahovik.core.lower.units import Member, matrix, member, vector
 from mahovik.core.program.expression import Place
-from mahovik.core.program.kernel import Reals, argument, body, reals, result
+from mahovik.core.program.kernel import Reals, Record, argument, body, reals, result
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.model import Stand, Structure
@@ -37,7 +36,7 @@ class SuspensionProgram(CarrierProgram):
         """One struct."""
         return [Field("suspension", SUSPENSION)]
 
-    def values(self, stand: Stand, run: Run) -> dict[str, Any]:
+    def values(self, stand: Stand, run: Run) -> dict[str, object]:
         """Numbers of the suspension; the equilibrium attitude as the program's own quaternion of the angles."""
         law = stand.law(Suspension)
         assert law is not None
@@ -45,7 +44,7 @@ class SuspensionProgram(CarrierProgram):
         numbers = {"stiffness": law.stiffness, "damping": law.damping, "position": law.position}
         return {"suspension": numbers | {"attitude": attitude}}
 
-    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Sequence[object]) -> Iterator[Member]:
         """Elements of both matrices and of the equilibrium."""
         stiffness, damping, position, _ = SUSPENSION.fields
         for f, unit in ((stiffness, units.stiffness), (damping, lambda i, j: units.law(i, (j,)))):
@@ -83,7 +82,7 @@ class SuspensionProgram(CarrierProgram):
 
         @lib.kernel(equation="(7)", purpose=f"Adds the suspension: {words}.")
         def suspend(
-            law: Any = argument(struct=SUSPENSION), x: Any = lib.x, C: Reals = ATTITUDE, F: Reals = WRENCH
+            law: Record = argument(struct=SUSPENSION), x: Record = lib.x, C: Reals = ATTITUDE, F: Reals = WRENCH
         ) -> None:
             """Adds the suspension."""
             shift = reals(3)
@@ -102,7 +101,7 @@ class SuspensionProgram(CarrierProgram):
             for i in range(6):
                 F[i] -= dot([*x.V, *law.stiffness[i]], [*law.damping[i], *shift1, *angle])
 
-    def act(self, lib: FunctionSet, table: Any, x: Any, C: Place, F: Place, **more: Place) -> None:
+    def act(self, lib: FunctionSet, table: Record, x: Record, C: Place, F: Place, **more: Place) -> None:
         """Adds the wrench."""
         body().do(lib["suspend"](table.suspension, x, C, F))
 

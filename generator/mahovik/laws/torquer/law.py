@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, ClassVar, Self
 
 from mahovik.core.stand.declare import AS_VECTOR, Declared, Draw, InC
 from mahovik.core.stand.fields import ZERO3, Name, Text, vector3
@@ -50,7 +50,7 @@ class Torquers(CarrierLaw):
     header: ClassVar[tuple[str, ...]] = ("magnetic_field",)
 
     @classmethod
-    def structure(cls, law: Self | None, stand: Stand) -> dict[str, Any]:
+    def structure(cls, law: Self | None, stand: Stand) -> dict[str, object]:
         """Names and mounts: -1 the carrier, else the number of the instrument."""
         return {} if law is None else {"torquers": tuple((t.name, mount_index(stand, t)) for t in law.torquers)}
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Sequence
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import WRENCH, CarrierProgram, Run, declared
 from mahovik.core.lower.units import Member, vector
 from mahovik.core.program.expression import Place
-from mahovik.core.program.kernel import Reals, argument, body
+from mahovik.core.program.kernel import Reals, Record, argument, body
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import cross
 from mahovik.core.stand.model import Stand, Structure
@@ -39,14 +38,14 @@ class TorquersProgram(CarrierProgram):
         """The field, and the torquers."""
         return [*declared(Torquers), *super().fields(structure)]
 
-    def values(self, stand: Stand, run: Run) -> dict[str, Any]:
+    def values(self, stand: Stand, run: Run) -> dict[str, object]:
         """Field and dipoles as the file gives them."""
         law = stand.law(Torquers)
         assert law is not None
         rows = [{"dipole": list(torquer.dipole), "mount": mount_index(stand, torquer)} for torquer in law.torquers]
         return {"magnetic_field": list(law.magnetic_field), "torquer": rows}
 
-    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Sequence[object]) -> Iterator[Member]:
         """The field; then torquer by torquer, counted from 1."""
         if field.name == "magnetic_field":
             return vector("magnetic_field", field, value, "magnetic field in E0")
@@ -55,12 +54,12 @@ class TorquersProgram(CarrierProgram):
     def add_functions(self, lib: FunctionSet) -> None:
         """The moment of one torquer."""
         structure = lib.layout.structure
-        torquer_argument: Any = argument(struct=torquer_struct(structure))
+        torquer_argument: Record = argument(struct=torquer_struct(structure))
 
         @lib.kernel(equation="(7)")
         def add_torquer(
-            table: Any = lib.table,
-            torquer: Any = torquer_argument,
+            table: Record = lib.table,
+            torquer: Record = torquer_argument,
             field: Reals = argument("magnetic field in E1", 3, unit="T"),
             F: Reals = WRENCH,
         ) -> None:
@@ -70,7 +69,7 @@ class TorquersProgram(CarrierProgram):
                 dipole[:] = table.sensor[torquer.mount].axes @ torquer.dipole
             F[3:6] += cross(dipole, field)
 
-    def act(self, lib: FunctionSet, table: Any, x: Any, C: Place, F: Place, **more: Place) -> None:
+    def act(self, lib: FunctionSet, table: Record, x: Record, C: Place, F: Place, **more: Place) -> None:
         """Adds the moment of every torquer."""
         field = body().local("field", (3,), comment="magnetic field in E1")
         body().do(lib["rotate_back"](C, table.magnetic_field, field))

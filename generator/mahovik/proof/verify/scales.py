@@ -303,7 +303,7 @@ def changed(data: Any, size: float, rng: np.random.Generator) -> Any:
             parts = rng.uniform(-1.0, 1.0, len(data)).tolist()
             return tuple([x * (1.0 + size * part) for x, part in zip(data, parts, strict=True)])
         return tuple(changed(element, size, rng) for element in data)
-    if is_dataclass(data):
+    if is_dataclass(data) and not isinstance(data, type):
         return replace(data, **{f.name: changed(getattr(data, f.name), size, rng) for f in fields(data) if f.init})
     if isinstance(data, Mapping):
         return type(data)({name: changed(value, size, rng) for name, value in data.items()})  # type: ignore
