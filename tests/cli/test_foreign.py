@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shlex
 import subprocess
 import sys
@@ -187,6 +188,14 @@ def test_a_difference_within_what_is_accepted() -> None:
     rounding = changed('state["phi"] = [phi * (1 + 1e-9) for phi in state.get("phi", [0.0] * 2)]')
     judged = ("judge", SHAKER, "--with", rounding, "--states", "6", "--want", "forward")
     assert (run(*judged).exit_code, run(*judged, "--tolerance", "1e-5").exit_code) == (1, 0)
+
+
+def test_digits_that_only_some_states_lack_are_said_with_how_far_they_fail() -> None:
+    rounded = 'result["V_dot"] = [float("%.11e" % x) for x in result["V_dot"]]'
+    command = changed(result=f'if "V_dot" in result and "phi_ddot" not in result: {rounded}')
+    result = run("judge", DEMO3, "--with", command, "--states", "20", "--want", "forward", "--explain")
+    assert "differ by no more than rounding (12 digits) at the states of the diagnosis" in result.stdout
+    assert re.search(r"but FAILED above: forward V_dot \(.*, \d\.?\d* times its limit\)", result.stdout)
 
 
 def test_nan_beside_a_wrong_term() -> None:

@@ -72,11 +72,11 @@ class Fin(Declared):
     drag        `C_D = drag + induced C_L^2`
     induced     see `drag`; without it by `aspect`, or 0
     stall       angle beyond which `C_L` falls linearly, to zero at 90 deg and beyond: a fin astern has drag alone.
-                Without it `C_L` grows up to 180 deg and jumps there
+                Without it `C_L` grows on, and jumps where `atan2` does
     deflection  positive pushes against the normal, as `c > 0` does; may be set at run time
     speed       squares in `U^2`: `a^2 + c^2`; `"whole"` adds `b^2`, `"along"` is `a^2` alone
     incidence   `true`: drag acts against the velocity `(a, c)`, lift across it; `false`: `A` is the deflection alone,
-                drag acts along the chord and lift along the normal, as published for rudders of small vehicles
+                drag acts along `-chord`, astern too, lift along `-normal`, as published for rudders of small vehicles
     """
 
     name: Name

@@ -30,7 +30,7 @@ from mahovik.proof.diagnose.causes import FACTORS, NumberSearch, Reading, Solved
 from mahovik.proof.diagnose.columns import TERMS_OF_BODIES, count_products
 from mahovik.proof.diagnose.search import WANTS, TermSearch, TermSearchResult, WrongTerm
 from mahovik.proof.reference.algebra import Array, carrier_rotation, wrench_to_parent
-from mahovik.proof.verify.check import Report
+from mahovik.proof.verify.check import Check, Report
 from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.states import Request
@@ -563,9 +563,15 @@ def diagnose_fault(stand: Stand, document: Mapping[str, Any], judged: Judged, se
 
 
 def _failure_words(report: Report, compared: Sequence[str] = ()) -> tuple[str, ...]:
-    """What failed in the table, with its reason; without what a diagnosis has `compared`, as want: quantity."""
+    """What failed in the table, why and how far; without what a diagnosis has `compared`, as want: quantity."""
+
+    def reason(row: Check) -> str:
+        far = f"{row.share:.2g} times its limit" if 1.0 < row.share < np.inf else ""
+        words = ", ".join(filter(None, (row.words, far)))
+        return f" ({words})" if words else ""
+
     return tuple(
-        f"{row.judged} {row.quantity}".strip() + (f" ({row.words})" if row.words else "")
+        f"{row.judged} {row.quantity}".strip() + reason(row)
         for row in report.failures
         if not any(f"{quantity}.".startswith(f"{row.judged}: {row.quantity}.") for quantity in compared)
     )

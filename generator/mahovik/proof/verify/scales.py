@@ -6,7 +6,7 @@ stands and states have every number times 1 + D u, |u| <= 1; the largest change 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
@@ -144,21 +144,17 @@ class Scales:
                 undecided = undecided or words_of(other) != words
                 in_doubt |= bits_of(other.get("status", "")) ^ bits
                 answers.append(other)
-            if least_squares:
-                answers += self._shaken_answers(equation, *neighbours[0])
+            stand, held, at = neighbours[0]
+            shaken = list(self._shaken(at)) if least_squares and len(at.flywheels) else []
+            for pieces in shaken:
+                with suppress(StateError, np.linalg.LinAlgError, ArithmeticError):
+                    answers.append(equation(stand, held, pieces))
             scales = {
                 name: self._scale(name, value, [answer[name] for answer in answers]) for name, value in values.items()
             }
             for name in FLOORS.keys() & scales.keys():
-                scales[name] = scales[name] + self._floor(name, state, values, scales)
+                scales[name] = scales[name] + self._floor(name, state, values, scales, shaken)
         return Measured(values, scales, undecided, frozenset(in_doubt))
-
-    def _shaken_answers(self, equation: Equation, stand: Stand, state: State, at: Pieces) -> list[Values]:
-        result = []
-        for shaken in self._shaken(at) if len(at.flywheels) else ():
-            with suppress(StateError, np.linalg.LinAlgError, ArithmeticError):
-                result.append(equation(stand, state, shaken))
-        return result
 
     def at(self, state: State) -> Pieces:
         """Pieces of the reference at a state."""
@@ -212,8 +208,10 @@ class Scales:
         largest = share(largest, BESIDE.get(name))
         return np.maximum(largest, RESTING * np.max(largest, initial=0.0))
 
-    def _floor(self, name: str, state: State, values: Values, scales: Mapping[str, Any]) -> Any:
-        """What the contract declares to be added to a scale."""
+    def _floor(
+        self, name: str, state: State, values: Values, scales: Mapping[str, Any], shaken: Sequence[Pieces]
+    ) -> Any:
+        """What the contract declares to be added to a scale; terms of least squares round as their norms do."""
         kind, (_, held, at) = FLOORS[name], self.neighbours(state)[0]
         if kind == "own":
             return 0.0
@@ -229,8 +227,8 @@ class Scales:
         if kind == "motion":
             return self._motion_floor(name, held, at)
         moved = values.get("V_dot", vector(held.V_dot)), values.get("phi_ddot", vector(held.phi_ddot))
-        of_neighbours = [_terms(other, *moved) for _, _, other in self.neighbours(state)[1:]]
-        terms = self._scale("", _terms(at, *moved), of_neighbours).sum(axis=0)
+        others = [*(other for _, _, other in self.neighbours(state)[1:]), *shaken]
+        terms = self._scale("", _terms(at, *moved), [_terms(other, *moved) for other in others]).sum(axis=0)
         if name == "reaction" or self.stand.hold is None:
             return terms
         return np.abs(twists(self.stand.hold)).T @ terms
