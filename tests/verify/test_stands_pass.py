@@ -237,6 +237,35 @@ def test_slow_bodies_in_a_stream_lose_no_digits_and_no_status(stand: Stand) -> N
     assert [row for row in rows if row.verdict != "ok"] == []
 
 
+WEAK = """
+schema = 1
+name = "weak"
+carrier = { mass = 6, inertia = [0.08, 0.5, 0.45] }
+hold = { freedoms = ["roll", "y"] }
+[[flywheel]]
+name = "w1"
+mass = 0.4
+inertia = [0.0011, 0.0008, 0.0007]
+[[flywheel]]
+name = "w2"
+mass = 0.25
+axis = [0.2, 0.1, 1.0]
+zero = [1, 0, 0]
+position = [0.03, 0.02, 0.04]
+spin_inertia = 0.0006
+transverse_inertia = [0.0004, 0.0005]
+unbalance = { static = 2e-5 }
+"""
+
+
+def test_what_flywheels_hardly_reach_leaves_the_rounding_of_what_they_reach_well() -> None:
+    """Along y an unbalance of 20 g mm acts, about x whole flywheels: the solver rounds by the norm of both."""
+    stand = loads(WEAK)
+    states = draw(stand, 1, 40, "float")
+    rows = judge(stand, CBackend(stand, "float"), states, ("inverse",), LIMITS["float"], scales=Scales(stand, "float"))
+    assert [row for row in rows if row.verdict != "ok"] == []
+
+
 @pytest.mark.parametrize(("real", "phi"), [("double", 1e-195), ("float", 1e-30)])
 def test_a_reach_whose_square_underflows_is_used(real: str, phi: float) -> None:
     """Along x, (8) of a stand at rest is m x'' = mu sin(phi) phi''."""
