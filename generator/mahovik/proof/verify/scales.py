@@ -227,8 +227,8 @@ class Scales:
         if kind == "motion":
             return self._motion_floor(name, held, at)
         moved = values.get("V_dot", vector(held.V_dot)), values.get("phi_ddot", vector(held.phi_ddot))
-        others = [*(other for _, _, other in self.neighbours(state)[1:]), *shaken]
-        terms = self._scale("", _terms(at, *moved), [_terms(other, *moved) for other in others]).sum(axis=0)
+        near = [*(other for _, _, other in self.neighbours(state)[1:]), *shaken]
+        terms = self._scale("", _terms(at, *moved), [_terms(other, *moved) for other in near]).sum(axis=0)
         if name == "reaction" or self.stand.hold is None:
             return terms
         return np.abs(twists(self.stand.hold)).T @ terms
