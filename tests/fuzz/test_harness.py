@@ -8,10 +8,11 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from checks import compile_harness, fuzz, minimise
 
 from cli.run import DEMO3, run
 from mahovik.core.stand import load
-from mahovik.core.toolchain.checks import compile_harness, fuzz, fuzz_project, minimise, sources
+from mahovik.core.toolchain.checks import fuzz_project, sources
 from mahovik.errors import CheckError
 from mahovik.writing import write_all
 from toolchain.tools import compile_c, require

@@ -7,21 +7,13 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+from checks import Finding, Proof, count_by_rule, findings, parse_proof, prove, warnings_of
 
 from emit.stands import stand, write
 from mahovik.contract.functions import row_of
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.eva import drivers, eva_files
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.toolchain.checks import (
-    Finding,
-    Proof,
-    count_by_rule,
-    findings,
-    parse_proof,
-    prove,
-    warnings_of,
-)
 from mahovik.errors import ToolchainError
 from toolchain.quick import quick
 from toolchain.tools import require, run

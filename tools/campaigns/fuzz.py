@@ -20,9 +20,11 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
+from checks import compile_harness, fuzz, minimise
+
 from campaigns import REALS, ROOT, Rows, Table, cores
 from mahovik.core.stand import load
-from mahovik.core.toolchain.checks import FLAGS, compile_harness, fuzz, fuzz_project, minimise, sources
+from mahovik.core.toolchain.checks import FLAGS, fuzz_project, sources
 from mahovik.errors import CheckError
 from mahovik.stands import path
 from mahovik.writing import write_all

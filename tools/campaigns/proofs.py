@@ -17,6 +17,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from checks import Proof, count_by_rule, findings, prove, warnings_of
+
 from campaigns import REALS, ROOT, Row, Rows, Table, cores, side_by_side
 from mahovik.contract.functions import ALL
 from mahovik.core.emit.delivery import delivery
@@ -24,15 +26,7 @@ from mahovik.core.emit.eva import Driver, drivers, eva_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.stand import Stand, load, loads
-from mahovik.core.toolchain.checks import (
-    DEVIATIONS,
-    STANDING_FINDINGS,
-    Proof,
-    count_by_rule,
-    findings,
-    prove,
-    warnings_of,
-)
+from mahovik.core.toolchain.checks import DEVIATIONS, STANDING_FINDINGS
 from mahovik.stands import names, path
 from mahovik.writing import write_all
 

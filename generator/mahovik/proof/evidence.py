@@ -38,8 +38,9 @@ from mahovik.core.emit.templates import template
 from mahovik.core.stand.files import content
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities
-from mahovik.core.toolchain.checks import ANALYSER, CPPCHECK, DEVIATIONS, STANDING_FINDINGS, WARNINGS, version
+from mahovik.core.toolchain.checks import ANALYSER, CPPCHECK, DEVIATIONS, STANDING_FINDINGS, WARNINGS
 from mahovik.core.toolchain.compiler import BITS
+from mahovik.core.toolchain.targets import version
 from mahovik.errors import UsageError
 from mahovik.nearest import names_in, suggestion
 from mahovik.proof.verify.selftest import parse_targets

@@ -6,6 +6,7 @@ by their own startup and linker scripts, which stand in templates/board/.
 
 from __future__ import annotations
 
+import re
 import shlex
 import shutil
 import subprocess
@@ -18,6 +19,8 @@ from mahovik.core.toolchain import process
 from mahovik.core.toolchain.compiler import BITS, WARNINGS
 from mahovik.errors import ToolchainError
 from mahovik.writing import write_all
+
+_NUMBER = re.compile(r"(?:^|[\s-])(\d+(?:\.\d+)+)(?=[\s,]|-[a-z]|$)")
 
 
 @dataclass(frozen=True)
@@ -333,11 +336,9 @@ def run(target: Target, elf: Path, timeout: float = 60) -> str:
 
 
 def version(command: str) -> str:
-    """Name and version of a compiler or emulator, "arm-none-eabi-gcc 12.2.1". Raises ToolchainError."""
-    words = _run([command, "--version"], Path.cwd(), "--version").splitlines()[0].replace(",", " ").split()
-    number = next((w for w in reversed(words) if w[0].isdigit() and w.count(".") >= 2), None)
-    number = next((w for w in words if w[0].isdigit() and w.count(".") >= 2 and w.replace(".", "").isdigit()), number)
-    return f"{command} {number or '?'}"
+    """Name and version of a program, "arm-none-eabi-gcc 12.2.1". Raises ToolchainError where it cannot be run."""
+    number = _NUMBER.search(_run([command, "--version"], Path.cwd(), "--version"))
+    return f"{command} {number[1] if number else '?'}"
 
 
 def build_version(target: Target) -> str:
