@@ -95,11 +95,20 @@ def test_commands_take_a_state_its_arrays_or_its_keys(name: str) -> None:
         reached = [run[f"phi_dot {m.flywheels[0]}"][0], run["x"][0], *(run[f"omega_{a}"][0] for a in "xyz")]
         assert reached == pytest.approx([x.phi_dot[0], x.position[0], *x.V[3:]], abs=1e-15)
         assert mahovik.modes(stand, start=start).text() == mahovik.modes(stand, start=keys).text()
+        for named_attitude in (start, {k.replace("attitude", "quaternion"): v for k, v in dict(start).items()}):
+            assert m.forward(named_attitude)["V_dot"] == pytest.approx(m.forward(x)["V_dot"], abs=1e-12)
+            assert m.simulate("2 ms", start=named_attitude)["V"][0] == pytest.approx(x.V, abs=1e-15)
     answers = mahovik.eval(stand, [dict(start) | {"want": ["forward"]} for start in starts])["answers"]
     assert all(np.allclose(answer["V_dot"], m.forward(x)["V_dot"], atol=1e-12) for answer in answers)
     for several in (m.states(2), model("general").state()):
         with pytest.raises(mahovik.InputError, match=r"2 states given, expected one|states of another stand"):
             mahovik.simulate(stand, until=1e-3, start=several)
+    with pytest.raises(mahovik.InputError, match="unknown tau, expected some of position"):
+        m.forward({"tau": 1.0})
+    x.V[1] = 1.0
+    if stand.hold is not None:
+        with pytest.raises(mahovik.InputError, match=r"start: V: moves along y, which \[hold\] blocks"):
+            m.simulate("2 ms", start=x)
 
 
 def test_a_state_that_cannot_be_is_an_answer_with_its_error() -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
+import tomllib
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from numpy.typing import NDArray
@@ -16,6 +18,7 @@ import mahovik
 from campaigns.files import read
 from mahovik import stands
 from mahovik.core.motion.programme import programme_text
+from mahovik.core.stand.numbers import StandNumbers
 from mahovik.out.campaign.file import Campaign
 from mahovik.out.campaign.quantities import STATISTICS, band_rms
 from verify.programme.programmes import shaker
@@ -85,6 +88,103 @@ def test_a_regime_is_that_of_the_model_of_each_sample(tmp_path: Path) -> None:
         }
         for name, number in expected.items():
             assert_allclose(rows[name][j], number, rtol=1e-8 if name == "turn" else 1e-12, err_msg=name)
+
+
+LADEN = """
+schema = 1
+name = "laden"
+gravity = [0.3, -0.2, -9.81]
+stream = [0.3, 0.1, -0.2]
+stream_profile = { depth = [-1, 0, 2], velocity = [[1, 0, 0], [0.2, 0.3, 0], [0, 0.1, 0]] }
+[carrier]
+mass = 6
+center_of_mass = [0.01, 0.02, -0.03]
+inertia = [0.2, 0.3, 0.25]
+inertia_about = "center_of_mass"
+damping = { linear = [2, 3, 4, 0.3, 0.2, 0.1] }
+[suspension]
+stiffness = [300, 400, 500, 30, 40, 50]
+damping = [3, 4, 5, 0.1, 0.2, 0.3]
+[[flywheel]]
+name = "a"
+mass = 0.5
+axis = [1, 2, -1]
+zero = [0, 0, 1]
+position = [0.1, 0.2, 0.05]
+spin_inertia = 2e-3
+transverse_inertia = [1.5e-3, 1.2e-3]
+unbalance = { static = 2e-3, static_at = 0.4, dynamic = 1e-4 }
+motor = { torque = 0.3, speed = 300, viscous = 1e-4, coulomb = 2e-3, coulomb_speed = 0.5 }
+[[flywheel]]
+name = "b"
+mass = 0.4
+axis = [0, 0, 1]
+zero = [1, 0, 0]
+spin_inertia = 1e-3
+transverse_inertia = 8e-4
+motor = { viscous = 2e-5, torque_speed = [[0, 0.1], [100, 0.15], [200, 0]] }
+"""
+
+HELD = """
+[hold]
+freedoms = ["yaw", "x", "pitch"]
+pivot = [0.1, 0, 0.05]
+[[hold.friction]]
+freedom = "x"
+coulomb = 0.5
+smoothing = 0.05
+"""
+
+SEESAW = """
+[hold]
+freedoms = ["pitch"]
+pivot = [0.1, 0.05, 0]
+angles = [0.1, 0.2, 0.3]
+[[hold.stop]]
+freedom = "pitch"
+at = 0.001
+stiffness = 500
+[[hold.stop]]
+freedom = "pitch"
+side = "below"
+at = -0.001
+stiffness = 500
+"""
+
+
+@pytest.mark.parametrize(
+    ("hold", "start"),
+    [("", {"V": [0.1, 0.2, 0.3, 0.1, -0.2, 0.3], "angles": [0.1, 0.2, 0.3]}), (HELD, {"u": [0.1, 0.2, 0.3]}),
+     (SEESAW, {"u": [0.5], "phi_dot": [3, 4]})],
+    ids=["free", "held", "seesaw"],
+)  # fmt: skip
+@settings(max_examples=4)
+@given(data=st.data())
+def test_a_row_is_the_motion_of_its_own_stand(
+    tmp_path_factory: pytest.TempPathFactory, hold: str, start: dict[str, Any], data: st.DataObject
+) -> None:
+    """To the bit, whichever number varies: of a body, a law, a motor, or the place where the carrier is held."""
+    folder = tmp_path_factory.mktemp("campaign")
+    stand = mahovik.Stand.from_dict(tomllib.loads(LADEN + hold))
+    (folder / "laden.toml").write_text(LADEN + hold, encoding="utf-8")
+    fixed = ("hold.basis", "hold.axis", "hold.slide")
+    numbers = [x for x in StandNumbers(stand, stand.to_dict(), motors=True) if not x.path.startswith(fixed)]
+    number = data.draw(st.sampled_from(numbers))
+    low, high = sorted([number.value * 0.999, number.value * 1.001]) if number.value else (0.0, 1e-6)
+    laws = {"a": {"run_up": {"torque": 0.5, "to": 250.0}}, "b": {"torque": 0.4}}
+    keys: dict[str, Any] = {"regime": {"flywheel": laws}, "dt": 1e-3, "until": 0.01, "start": start}
+    over = "\n".join(f"{key} = {_toml(value)}" for key, value in keys.items())
+    vary = f'[vary]\n"{number.path}" = {{ uniform = [{low!r}, {high!r}] }}\n'
+    wanted = {"speed": '"end speed"\nat = "a"', "rate": '"end rate"\nat = "carrier"\naxis = "y"'}
+    rows, (own,) = computed(folder, vary, over, wanted, "laden.toml", samples=1)
+    run = mahovik.build(own).simulate(0.01, regime=keys["regime"], start=start, dt=1e-3)
+    assert (rows["speed"][0], rows["rate"][0]) == (run["phi_dot"][-1, 0], run["V"][-1, 4])
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key} = {_toml(x)}" for key, x in value.items()) + "}"
+    return json.dumps(value)
 
 
 def test_samples_begin_at_their_own_rest(tmp_path: Path) -> None:

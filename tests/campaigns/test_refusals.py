@@ -24,7 +24,7 @@ ENTRIES = {
     '"rw1.mass" = { normal = [2, 0.1], least = 9 }': "the distribution has no values between them",
     '"gravity[2]" = { relative = 0.1 }': "gravity[2] is zero in the stand file",
     '"rw1" = { tolerance = "1 g" }': "is a table; expected the path of a number, such as rw1.mass",
-    '"rw1.motor.torque" = { relative = 0.1 }': "acts in no table of the C",
+    '"rw1.motor.resistance" = { relative = 0.1 }': "decides nothing that is computed here",
     '"rw1.unbalance.dynamic" = { grade = "G 1", speed = 1 }': "grade: limits the static unbalance",
     '"rw1.unbalance" = { grade = "G 2.5" }': "speed: required with grade, but missing",
     '"rw1.unbalance" = { grade = 2.5, speed = "3000 rpm" }': 'expected a balance quality grade, such as "G 2.5"',

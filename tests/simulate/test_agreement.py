@@ -297,8 +297,11 @@ def test_samples_move_as_each_alone_and_a_refused_one_is_named() -> None:
     assert float(dataset.phi_dot.sel(flywheel="w1")[3, -1]) == many["phi_dot"][3, -1, 0]
     start = np.tile(np.concatenate([one[n][0, 0] for n in ("position", "attitude", "V", "phi", "phi_dot")]), (2, 1))
     start[1, 7] = 2e4
-    with pytest.raises(RefusedError, match="sample 1: at t = 0 s"):
+    with pytest.raises(RefusedError, match="sample 1: at t = 0 s forward returned RANGE: V u is 20000, at most "):
         model.simulate(0.01, start=start)
+    with pytest.raises(RefusedError, match=r"^at t = 0 s forward returned RANGE: V u is 20000, at most "):
+        model.simulate(0.01, start=start[1])
+    assert np.isnan(model.simulate(0.01, start=start[1], on_error="nan")["position"]).all()
     kept = model.simulate(0.01, start=start, on_error="nan")
     assert [bool(words) for words in kept.refused] == [False, True]
     assert np.isfinite(kept["position"][0]).all()

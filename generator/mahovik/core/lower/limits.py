@@ -6,11 +6,17 @@ of a zero (epsilon is 2.2e-16 in double, 1.2e-7 in float) and well below what a 
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
-from mahovik.contract.quantities import BOUNDS, SINGULAR_BELOW
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.contract.quantities import BOUNDS, QUANTITIES, SINGULAR_BELOW
+from mahovik.core.program.arrays import Member
 from mahovik.core.program.expression import Const, Expr, and_
-from mahovik.core.program.types import Kind, NamedNumber, Precision
+from mahovik.core.program.types import DOUBLE, FLOAT, Kind, NamedNumber, Precision
 
 
 @dataclass(frozen=True)
@@ -44,6 +50,26 @@ SINGULAR = NamedNumber(SINGULAR_BELOW, "EPS_ATTITUDE", "|cos theta| (Euler: |sin
 def unit_square(square: Expr) -> Expr:
     """Is a length, given as its square, within 1e-3 of 1?"""
     return and_(square >= UNIT_SQUARE_MIN, square <= UNIT_SQUARE_MAX)
+
+
+def wrong_numbers(
+    members: Sequence[Member], column: NDArray[Any], labels: Mapping[str, Sequence[str]]
+) -> Iterator[str]:  # fmt: skip
+    """What is wrong with the numbers of an input (its members one after another), in words; `labels`: their names."""
+    bounds, first = limits(FLOAT if column.dtype == np.float32 else DOUBLE), 0
+    for member in members:
+        values = column[first : first + member.size].astype(np.float64).tolist()
+        first += member.size
+        names = labels.get(member.name, ())
+        known = QUANTITIES[member.name].bounds if member.name in QUANTITIES else ()
+        for i, x in enumerate(values):
+            what = f"{member.name} {names[i]}" if names else f"{member.name}[{i}]"
+            if not np.isfinite(x):
+                yield f"{what} is {x}"
+            elif known and abs(x) > (bound := bounds[known[i // 3 % len(known)]]).value:
+                yield f"{what} is {x:.9g}, at most {bound.value:g} {bound.unit}".rstrip()
+        if member.name == "attitude" and not UNIT_SQUARE_MIN <= float(np.sum(np.square(values))) <= UNIT_SQUARE_MAX:
+            yield f"attitude has length {float(np.linalg.norm(values)):.9g}, expected 1 within 0.001"
 
 
 def constants(precision: Precision) -> tuple[NamedNumber, ...]:

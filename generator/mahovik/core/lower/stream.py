@@ -15,6 +15,7 @@ from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import OK, RANGE, Reals, reals, result
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
+from mahovik.core.stand.columns import by_sample
 from mahovik.core.stand.model import StreamProfile, Structure
 
 REAL = Kind.REAL
@@ -37,17 +38,21 @@ def table_fields(structure: Structure) -> list[Field]:
     return [Field(NAME, struct, (), "", "added to `stream`; a state above or below it is refused")]
 
 
+def _direction(vector: tuple[float, ...]) -> tuple[float, ...]:
+    largest = max(abs(x) for x in vector)
+    scaled = [x / largest for x in vector]
+    length = math.sqrt(math.fsum(x * x for x in scaled))
+    return tuple(x / length for x in scaled)
+
+
 def values(profile: StreamProfile) -> dict[str, Any]:
     """The numbers of the struct."""
-    largest = max(abs(x) for x in profile.down)
-    down = [x / largest for x in profile.down]
-    length = math.sqrt(math.fsum(x * x for x in down))
     shear = [
         [(b - a) / (bottom - top) for a, b in zip(above, below, strict=True)]
         for (top, bottom), (above, below) in zip(pairwise(profile.depth), pairwise(profile.velocity), strict=True)
     ]
     return {
-        "down": [x / length for x in down],
+        "down": list(by_sample(_direction, profile.down)),
         "depth": list(profile.depth),
         "top": list(profile.velocity[0]),
         "shear": shear,

@@ -50,6 +50,9 @@ FREEDOMS: dict[str, Freedom] = {
 TWIST_NAMES = tuple(FREEDOMS)
 """Directions of E1 of the six components of a twist."""
 
+PLACE_OF_HOLD = ("pivot", "position", "angles")
+"""Keys of a hold that say where it holds the carrier."""
+
 _NAMES = {freedom: name for name, freedom in FREEDOMS.items()}
 
 DEPENDENT = 1e-9

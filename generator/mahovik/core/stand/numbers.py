@@ -52,8 +52,8 @@ _ELEMENT = re.compile(r"J([1-3])([1-3])")
 _VECTORS = frozenset(("angles", "center_of_mass", "gravity", "pivot", "position", "stream"))
 """Keys whose three numbers are zero where the file does not give them."""
 _SYMMETRIC = ("inertia", "added_mass")
-_IDLE = frozenset(("motor", "encoder", "inverse_weight", "inverse_most", "schema"))
-"""Keys whose numbers are in no table of the C."""
+_IDLE = frozenset(("encoder", "inverse_weight", "inverse_most", "schema", "constant", "resistance", "supply"))
+"""Keys whose numbers decide no motion; beside them `motor` where torques are given."""
 _SHEET = ("spin_inertia", "transverse_inertia", "unbalance")
 _BY_TENSOR = ("center_of_mass", "inertia")
 _BODIES = ("carrier", "instrument", "flywheel")
@@ -342,9 +342,12 @@ class StandNumber:
 class StandNumbers:
     """All numbers of one stand file."""
 
-    def __init__(self, stand: Stand, document: Mapping[str, Any]) -> None:
-        """`document`: the keys of the file of `stand`, as `parse_toml` gives them; it is not changed."""
-        self._stand, self._document = stand, document
+    def __init__(self, stand: Stand, document: Mapping[str, Any], motors: bool = False) -> None:
+        """`document`: the keys of the file of `stand`, as `parse_toml` gives them; it is not changed.
+
+        motors  whether motors act in what is computed
+        """
+        self._stand, self._document, self._idle = stand, document, _IDLE if motors else _IDLE | {"motor"}
         self._found: dict[Steps, StandNumber | str] = {}  # a text says why there is no number
         self._written: set[Steps] = set()  # keys that the file has, which `*` stands for
         for schema, raw, steps, way in tables_in(document):
@@ -456,10 +459,10 @@ class StandNumbers:
             at, below = (*steps, key), (*way, key)
             if key in taken:
                 continue
-            if key in raw and steps and key not in _IDLE:
+            if key in raw and steps and key not in self._idle:
                 self._written.add(at)
-            if key in _IDLE:
-                self._found[at] = "acts in no table of the C; expected a number of a body or a law"
+            if key in self._idle:
+                self._found[at] = "decides nothing that is computed here; expected a number of a body or a law"
             elif by_sheet and key in _BY_TENSOR:
                 self._found[at] = f"the file of {self._stand.name} gives {path_of(at)} by {', '.join(_SHEET)}"
             elif key == "unbalance":

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from mahovik.contract.status import status_words
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, fill_record, record
 from mahovik.core.program.types import DOUBLE, FLOAT
-from mahovik.core.stand.model import Stand, Structure
+from mahovik.core.stand.model import TWIST_LETTERS, Stand, Structure
 from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain import store
 from mahovik.core.toolchain.compiler import BITS, SHARED, WARNINGS, find_compiler, run_compiler
@@ -476,10 +476,16 @@ class Block:
             self.at[j] = f"{where(int(j))}{function}"
 
     def reason(self, j: int) -> str:
-        """Why state j is refused; "" where it is not."""
+        """Why state j is refused, with the number of it that is out of range; "" where it is not."""
         if self.status[j] >= 0:
             return ""
-        return f"{self.at[j]} returned {status_words(int(self.status[j]))}: the motion leaves its ranges"
+        from mahovik.core.lower.limits import wrong_numbers
+
+        members = next(a.members for f in self._made.functions.values() for a in f.arguments if a.name == "x")
+        wheels = tuple(flywheel.name for flywheel in self.stand.flywheels)
+        labels = {"position": "xyz", "attitude": "wxyz", "V": TWIST_LETTERS, "phi": wheels, "phi_dot": wheels}
+        fault = next(wrong_numbers(members, self.x[:, j], labels), "the motion leaves its ranges")
+        return f"{self.at[j]} returned {status_words(int(self.status[j]))}: {fault}"
 
     def _table(self, name: str) -> Array:
         if self._tables is None:

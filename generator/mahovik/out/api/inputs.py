@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mahovik.contract.quantities import QUANTITIES
+from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import refusal_reason, status_words
-from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, limits, thresholds
+from mahovik.core.lower.limits import thresholds, wrong_numbers
 from mahovik.core.program.arrays import ArgumentLayout
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.hold import freedom_names
@@ -183,25 +183,10 @@ def _reasons(argument: ArgumentLayout, memory: Array, index: int, labels: Labels
     """What is wrong with an argument of state `index`, in words."""
     if argument.name == "options":
         yield from _wrong_options(argument, memory, labels)
-        return
-    precision = FLOAT if memory.dtype == np.float32 else DOUBLE
-    bounds = limits(precision)
-    if argument.name == "dt" and not 0.0 < memory[0] <= bounds["MAX_STEP"].value:
-        yield f"dt is {memory[0]:.9g} s, expected above 0 and at most {bounds['MAX_STEP'].value:g}"
-    first = 0
-    for member in argument.members if argument.order == "components" else ():
-        column = memory[first : first + member.size, index].astype(np.float64)
-        first += member.size
-        names = labels.get(member.name, ())
-        known = QUANTITIES[member.name].bounds if member.name in QUANTITIES else ()
-        for i, x in enumerate(column.tolist()):
-            what = f"{member.name} {names[i]}" if names else f"{member.name}[{i}]"
-            if not np.isfinite(x):
-                yield f"{what} is {x}"
-            elif known and abs(x) > (bound := bounds[known[i // 3 % len(known)]]).value:
-                yield f"{what} is {x:.9g}, at most {bound.value:g} {bound.unit}".rstrip()
-        if member.name == "attitude" and not UNIT_SQUARE_MIN <= float(np.sum(column**2)) <= UNIT_SQUARE_MAX:
-            yield f"attitude has length {float(np.linalg.norm(column)):.9g}, expected 1 within 0.001"
+    elif argument.name == "dt" and not 0.0 < memory[0] <= BOUNDS["MAX_STEP"].value:
+        yield f"dt is {memory[0]:.9g} s, expected above 0 and at most {BOUNDS['MAX_STEP'].value:g}"
+    elif argument.order == "components":
+        yield from wrong_numbers(argument.members, memory[:, index], labels)
 
 
 _FROM_ZERO = ("motor_torque", "motor_viscous", "motor_coulomb", "motor_power", "target_rate", "avoid_speed")

@@ -48,15 +48,16 @@ def build(stand: Stand, *, real: Real = "double", compiler: str | None = None, t
 class Model:
     """Functions of a stand for one state or many; made by `mahovik.build`.
 
-    `x` is `States`, what `states` takes by name, or an array (n, 13 + 2 N) or (13 + 2 N,). Other inputs are arrays of
-    shape (n, k), or (k,) for all states alike, or one number for all, or numbers by the name of the flywheel; what is
-    not given is zero. Each answers a `Result` of arrays with the batch axis first, and without it where all inputs are
-    of one state; its column `status` has what the C said of each state, see `mahovik.Status`.
+    `x` is `States`, what `states` takes by name, or an array (n, 13 + 2 N) or (13 + 2 N,); `simulate` alone compares an
+    array with a hold. Other inputs are arrays of shape (n, k), or (k,) for all states alike, or one number for all, or
+    numbers by the name of the flywheel; what is not given is zero. Each answers a `Result` of arrays with the batch
+    axis first, and without it where all inputs are of one state; its column `status` has what the C said of each state,
+    see `mahovik.Status`.
 
     All take `wrench=`, N and N m, six numbers by the name of a body, in its frame about its origin (not `momentum` and
-    `points`); `tables=` of `Model.tables`: state j is of the stand of sample j; `on_error="nan"`: the results of a
-    state that the C refuses are NaN, in place of a RefusedError that names it. Shapes and names that do not fit raise
-    InputError. Functions may be called from several threads at once; a model can be pickled.
+    `points`); `tables=` of `Model.tables`: state j is of the stand of sample j; `on_error="nan"`: a state that the C
+    refuses has NaN, in place of a RefusedError. Shapes and names that do not fit raise InputError. Functions may be
+    called from several threads at once; a model can be pickled.
     """
 
     def __init__(self, stand: Stand, real: Real, compiler: str | None, threads: int) -> None:
@@ -147,14 +148,14 @@ class Model:
         """States: n of them, or as many as the arrays given have; one without batch axis where none has one.
 
         position    m; of O1 in E0; left out, 0, or where a hold has O1 with this attitude
-        attitude    quaternion, w first, of x0 = C x1; made unit where it is within 1e-3 of that
+        attitude    quaternion, w first, of x0 = C x1; made unit where it is within 1e-3 of that; or `quaternion`
         angles      rad; of the sequence of the stand, instead of `attitude`; neither: aligned with E0, or the home pose
         V           m/s, rad/s; twist in E1 about O1
         u           m/s, rad/s; of a held carrier instead of `V`: the speeds of its freedoms
         phi         rad; phases
         phi_dot     rad/s; speeds
 
-        Raises InputError, also for a pose and a V that the hold of the carrier does not allow.
+        Raises InputError, also where a hold does not allow the pose or V.
         """
         return self._calls.maker.states(n, numbers)
 
@@ -240,17 +241,17 @@ class Model:
 
         regime    speeds or torques of the flywheels, wrenches: a file, its keys, or a Regime; the same for all samples.
                   None: the flywheels keep the speeds of `start`
-        start     one state for all samples, or one for each; None: the rest pose of the model's stand
+        start     one state for all samples, or one for each; None: rest of the model's stand
         dt        the longest step; every: time between moments of output, the last of which is `until`
         order     of the step: 4 or 2
         mounts    also the wrench of the mount on each flywheel
-        tables    of `model.tables`: sample j is of stand j. One sample does not depend on which others there are
+        tables    of `model.tables`: sample j is of stand j
         on_error  "raise": a state that the C refuses raises RefusedError; "nan": its numbers are NaN from then on
 
         Arrays are (T, ...), of many samples (n, T, ...): `t`, the state, `V_dot`, `phi_ddot`, `tau` (whole drive
         torques), `specific_force` and `rate` of sensors, `reaction` of a hold, in E1 about O1; `refused` says of each
         sample why the C refused it, or "". Phases are not wrapped.
-        Raises InputError, UsageError, RegimeError, CheckError (no rest pose to begin from), RefusedError.
+        Raises InputError, UsageError, RegimeError, CheckError (no rest pose), RefusedError.
         """
         from mahovik.out.api.simulate import simulate
 

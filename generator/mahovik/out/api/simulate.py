@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.status import status_words
 from mahovik.core.motion.regime import Regime, steady_regime
 from mahovik.core.stand.model import Stand, rest_state
 from mahovik.core.toolchain.compiled import Block
@@ -17,6 +18,7 @@ from mahovik.out.api.calls import Array, Calls, OnError, check_on_error
 from mahovik.out.api.tables import Tables
 from mahovik.out.arguments import regime_of, time
 from mahovik.out.result import Axis, Column, Result
+from mahovik.proof.verify.draw import blocked_twist
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.course import NEEDS, motion, parts_of, stand_for, why_refused
 
@@ -44,7 +46,7 @@ def simulate(
     end, step, between = time("until", until), time("dt", dt), time("every", every)
     x, n = _beginnings(calls, start, tables)
     speeds = x[13 + len(calls.flywheels) :]
-    if regime is None and np.any(speeds != speeds[:, :1]):
+    if regime is None and np.any(np.abs(speeds - speeds[:, :1]) > 0.0):
         raise InputError("start: the states have different speeds, expected a regime that gives them")
     steady = steady_regime(calls.stand, speeds[:, 0].tolist())
     chosen = steady if regime is None else regime_of(regime, calls.stand, end)
@@ -71,8 +73,8 @@ def simulate(
         if on_error == "raise" and any(words):
             j = next(j for j, why in enumerate(words) if why)
             where = f"sample {first + j}: " if n else ""
-            status = int(block.status[j])
-            raise RefusedError(f"{where}{words[j]}", "simulate", first + j, status, "", sum(map(bool, words)))
+            status, count = int(block.status[j]), sum(map(bool, words))
+            raise RefusedError(f"{where}{words[j]}", "simulate", first + j, status, status_words(status), count)
         refused += words
     arrays = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
     return _result(calls, case.times, arrays, refused, n)
@@ -112,6 +114,12 @@ def _beginnings(calls: Calls, start: Any, tables: Tables | None) -> tuple[Array,
     n = None if states.ndim == 1 else len(states)
     n = calls.check_tables(tables, n) if tables is not None else n
     x = np.broadcast_to(states.reshape(-1, states.shape[-1]), (n or 1, states.shape[-1]))
+    if hold := calls.stand.hold:
+        moves = tables and any(path.startswith("hold.") for path in tables.samples.changes)
+        holds = [tables.stand(j).hold or hold for j in range(len(x))] if tables and moves else [hold]
+        for one, V in zip(holds, np.split(x[:, 7:13], len(holds)), strict=True):
+            if reason := blocked_twist(one, V):
+                raise InputError(f"start: {reason}")
     return np.ascontiguousarray(x.T), n
 
 

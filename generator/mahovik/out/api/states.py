@@ -9,8 +9,9 @@ from typing import Any, TypedDict, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from mahovik.contract.evaluation import STATE
 from mahovik.contract.quantities import UNIT_LENGTH
-from mahovik.core.stand.hold import carried_point, is_closed, twists
+from mahovik.core.stand.hold import carried_point, twists
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import InputError, UsageError
 from mahovik.nearest import suggestion
@@ -19,6 +20,7 @@ from mahovik.out.arguments import reading, text_of_keys
 from mahovik.out.result import Axis, Column, Result
 from mahovik.proof.verify.draw import ALLOWED, blocked_twist, freedom_rates, freedoms, home_attitude, worst
 from mahovik.proof.verify.states import ROUNDING
+from mahovik.use.simulate.held import shows_freedoms
 
 Array = NDArray[Any]
 
@@ -141,6 +143,7 @@ class StateNumbers(TypedDict, total=False):
 
     position: ArrayLike | None
     attitude: ArrayLike | None
+    quaternion: ArrayLike | None
     angles: ArrayLike | None
     V: Given
     u: Given | None
@@ -166,10 +169,13 @@ class StateMaker:
     def states(self, n: int | None, values: StateNumbers) -> States:
         """See `Model.states`."""
         for name in sorted(values.keys() - StateNumbers.__annotations__.keys()):
-            raise InputError(f"states: unknown {name}{suggestion(name, StateNumbers.__annotations__)}")
+            known = StateNumbers.__annotations__
+            hint = f", expected some of {', '.join(known)}" if name in STATE else suggestion(name, known)
+            raise InputError(f"states: unknown {name}{hint}")
         if n is not None and not is_count(n):
             raise InputError(f"states: n: expected a number of states, found {n!r:.40}")
-        place, turn = self._pose(values.get("position"), values.get("attitude"), values.get("angles"))
+        turns = {name: values.get(name) for name in ("attitude", "quaternion", "angles")}
+        place, turn = self._pose(values.get("position"), {k: turn for k, turn in turns.items() if turn is not None})
         parts = {"position": place, "attitude": turn, "V": self._twist(values.get("V", 0.0), values.get("u"))}
         for name, value in (("phi", values.get("phi", 0.0)), ("phi_dot", values.get("phi_dot", 0.0))):
             parts[name] = read(value, name, self.axes[name])
@@ -190,15 +196,13 @@ class StateMaker:
             memory = np.array(np.atleast_2d(states).T, self.element, order="C")
         return States(self.stand.name, self.columns, memory, states.ndim == 1)
 
-    def _pose(
-        self, position: ArrayLike | None, attitude: ArrayLike | None, angles: ArrayLike | None
-    ) -> tuple[Array, Array]:
+    def _pose(self, position: ArrayLike | None, turns: Mapping[str, Any]) -> tuple[Array, Array]:
         """Position (), (3,) or (n, 3) and attitude (4,) or (n, 4), of what is given and what a hold says."""
         place = None if position is None else read(position, "position", self.axes["position"])
-        turn = self._attitudes(attitude, angles)
+        turn = self._attitudes(turns)
         if self.stand.hold is None:
             return np.zeros(()) if place is None else place, turn
-        if attitude is None and angles is None:
+        if not turns:
             turn = np.array(home_attitude(self.stand))
         if place is None:
             place = _place_at(self.stand, turn)
@@ -221,23 +225,24 @@ class StateMaker:
         rates = read(u, "u", self.axes["u"]) * np.ones(len(hold.freedoms))
         return np.asarray(rates @ twists(hold).T)
 
-    def _attitudes(self, attitude: ArrayLike | None, angles: ArrayLike | None) -> Array:
+    def _attitudes(self, turns: Mapping[str, Any]) -> Array:
         """Unit quaternions, (4,) or (n, 4), of quaternions or angles. Raises InputError, RefusedError."""
-        if attitude is not None and angles is not None:
-            raise InputError("attitude, angles: both given, expected one of them")
-        if angles is not None:
-            triples = read(angles, "angles", self.axes["angles"])
-            return self.quaternions(np.full(3, triples) if triples.ndim == 0 else triples)
-        if attitude is None:
+        if len(turns) > 1:
+            raise InputError(f"{', '.join(turns)}: both given, expected one of them")
+        if not turns:
             return np.array([1.0, 0.0, 0.0, 0.0])
-        attitudes = numbers(attitude, "attitude")
+        ((name, values),) = turns.items()
+        if name == "angles":
+            triples = read(values, "angles", self.axes["angles"])
+            return self.quaternions(np.full(3, triples) if triples.ndim == 0 else triples)
+        attitudes = numbers(values, name)
         if attitudes.ndim not in (1, 2) or attitudes.shape[-1] != 4:
-            raise InputError(f"attitude: expected shape (4,) or (n, 4) (w, x, y, z), found {attitudes.shape}")
+            raise InputError(f"{name}: expected shape (4,) or (n, 4) (w, x, y, z), found {attitudes.shape}")
         length = np.linalg.norm(attitudes.astype(np.float64), axis=-1, keepdims=True)
         wrong = np.flatnonzero(~(np.abs(length - 1.0) <= UNIT_LENGTH))
         if wrong.size:
             where = f" of state {wrong[0]}" if attitudes.ndim == 2 else ""
-            raise InputError(f"attitude{where}: length {length.flat[wrong[0]]:.9g}, expected 1 within {UNIT_LENGTH:g}")
+            raise InputError(f"{name}{where}: length {length.flat[wrong[0]]:.9g}, expected 1 within {UNIT_LENGTH:g}")
         return np.where(np.abs(length - 1.0) <= ROUNDING, attitudes, attitudes / length)
 
 
@@ -300,7 +305,7 @@ def _check_pose(stand: Stand, position: Array, attitude: Array) -> None:
     """
     hold = stand.hold
     assert hold is not None
-    if not is_closed(hold) or any(freedom.kind == "twist" for freedom in hold.freedoms):
+    if not shows_freedoms(hold):
         return
     back = np.array(home_attitude(stand)) * np.array([1.0, -1.0, -1.0, -1.0])
     pivot, slides = map(np.array, carried_point(hold))

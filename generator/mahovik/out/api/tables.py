@@ -14,6 +14,7 @@ from mahovik.core.program.arrays import fill_record
 from mahovik.core.program.interpret import Interpreter, plain
 from mahovik.core.stand.columns import Column, Run
 from mahovik.core.stand.columns import numbers as numbers_of
+from mahovik.core.stand.hold import PLACE_OF_HOLD
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.numbers import put
 from mahovik.core.stand.physical import doubtful_samples
@@ -26,9 +27,6 @@ from mahovik.out.api.inputs import is_count
 from mahovik.out.api.stands import Stand
 
 Array = NDArray[np.float64]
-
-PLACE_OF_HOLD = ("pivot", "position", "angles")
-"""Keys of a hold that say where it holds the carrier."""
 
 _ALIGNMENT = 64
 

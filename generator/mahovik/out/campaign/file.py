@@ -29,7 +29,7 @@ from mahovik.out.api.model import Model, build
 from mahovik.out.api.stands import Stand, load
 from mahovik.out.api.tables import Samples, Tables, change_values, check_sample, first_reason, variants
 from mahovik.out.campaign.quantities import Quantity, QuantityTable
-from mahovik.out.campaign.runs import Runner, read_over, runner_of
+from mahovik.out.campaign.runs import ByStand, Runner, read_over, runner_of
 from mahovik.out.campaign.vary import DESIGNS, IN_BLOCKS, MOST_HELD, Design, Draw, read_draw
 
 
@@ -206,7 +206,8 @@ class Campaign:
     def runner(self) -> Runner:
         """What computes the quantities. Raises UsageError, and what the files raise that the campaign names."""
         try:
-            return runner_of(self.stand, self.over, self.quantities, self.path.parent, set(self.units))
+            varied = [entry.number.path for entry in self.draw.varied]
+            return runner_of(self.stand, self.over, self.quantities, self.path.parent, varied)
         except UsageError as error:
             raise CampaignError([f"{self.path.name}: over: {error}"]) from None
 
@@ -220,15 +221,19 @@ class Campaign:
             last = first + count - 1
             raise UsageError(f"rows: samples {first} to {last}, but the campaign has {self.design.samples}")
         values = self.draw.values(self.design.unit(first, count))
-        possible = possible_tables(self._model, values, count)
         columns = {quantity.name: np.full(count, np.nan) for quantity in self.quantities}
-        errors = [possible.reasons.get(i, "") for i in range(count)]
-        computed, reasons = self.runner.values(possible.tables)
-        for i, reason in zip(possible.numbers.tolist(), reasons, strict=True):
+        errors, places = [""] * count, np.arange(count)
+        if isinstance(self.runner, ByStand):
+            computed, reasons = self.runner.values(Samples.of(values, count))
+        else:
+            possible = possible_tables(self._model, values, count)
+            errors, places = [possible.reasons.get(i, "") for i in range(count)], possible.numbers
+            computed, reasons = self.runner.values(possible.tables)
+        for i, reason in zip(places.tolist(), reasons, strict=True):
             errors[i] = reason
         for name, numbers in computed.items():
-            columns[name][possible.numbers] = numbers
-            for i in possible.numbers[~np.isfinite(numbers)].tolist():
+            columns[name][places] = numbers
+            for i in places[~np.isfinite(numbers)].tolist():
                 errors[i] = errors[i] or f"{name} is {columns[name][i]}"
         for i in (i for i, reason in enumerate(errors) if reason):
             for column in columns.values():
@@ -247,7 +252,7 @@ def load_campaign(path: str | Path) -> Campaign:
     if table is None:
         raise CampaignError(problems.lines)
     stand = _stand(table.stand, path.parent, problems)
-    numbers = StandNumbers(stand, stand.to_dict())
+    numbers = StandNumbers(stand, stand.to_dict(), motors="regime" in table.over)
     draw = read_draw(table.vary, [(entry.of, entry.coefficient) for entry in table.correlation], numbers, problems)
     if not draw.varied and not problems.lines:
         problems.add("vary", "nothing varies; expected a path such as carrier.mass")

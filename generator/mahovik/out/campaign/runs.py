@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -19,7 +20,7 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand import units
 from mahovik.core.stand.fields import Text, scalar, validator, whole_number
 from mahovik.core.stand.files import readable_text
-from mahovik.core.stand.hold import twists
+from mahovik.core.stand.hold import PLACE_OF_HOLD, twists
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.model import State
 from mahovik.core.stand.tables import NOTHING, Problems, Table
@@ -29,7 +30,7 @@ from mahovik.errors import CheckError, MahovikError, StateError, UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.states import state_of
-from mahovik.out.api.tables import PLACE_OF_HOLD, Tables
+from mahovik.out.api.tables import Samples, Tables, first_reason
 from mahovik.out.arguments import motion_of, programme_of, regime_of, text_of_keys
 from mahovik.out.campaign.quantities import AXES, HOLD, Errors, Quantity, Scene, rotation, turn
 from mahovik.out.notices import MahovikWarning, warn_of_steps, warn_of_turn
@@ -122,19 +123,29 @@ def read_over(raw: Mapping[str, Any], problems: Problems) -> tuple[str, Any]:
     return kinds[0], problems.valid(KINDS[kinds[0]], raw, "over")
 
 
-def runner_of(stand: Stand, over: Any, quantities: Sequence[Quantity], folder: Path, varied: set[str]) -> Runner:
+_BESIDE = re.compile(rf"hold\.({'|'.join(PLACE_OF_HOLD)})\[|[^.]*\.motor\.")
+"""Paths of numbers that act beside the tables of the C: where the carrier is held a state has other numbers, and motors
+are those of the steps.
+"""
+
+
+def runner_of(
+    stand: Stand, over: Any, quantities: Sequence[Quantity], folder: Path, varied: Sequence[str] = ()
+) -> Runner:  # fmt: skip
     """What computes quantities over a table of `KINDS`, of stands that differ in the numbers of some paths.
 
     Raises UsageError, and what the files raise.
     """
     if isinstance(over, SpeedsTable):
         return ByStand(stand, _steady(stand, over, quantities))
-    if any(path.startswith(tuple(f"hold.{key}[" for key in PLACE_OF_HOLD)) for path in varied):
-        # a state has other numbers where the carrier is held elsewhere: each sample is a run of its own stand
+    if any(map(_BESIDE.match, varied)):
+        runner_of(stand, over, quantities, folder)  # refuses what all samples would be refused for
+
         def numbers_of(variant: Stand) -> Mapping[str, float]:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", MahovikWarning)
-                runner = runner_of(variant, over, quantities, folder, set())
+                runner = runner_of(variant, over, quantities, folder)
+            assert isinstance(runner, TimeRunner)
             numbers, (reason,) = runner.values(build(runner.stand).tables({}, 1))
             if reason:
                 raise StateError(reason)
@@ -149,28 +160,28 @@ def runner_of(stand: Stand, over: Any, quantities: Sequence[Quantity], folder: P
 
 
 Runner = Union["TimeRunner", "ByStand"]
-"""Has `stand`, of which tables are made: that of the file, with the run-time wrenches that a regime needs; and
-`values` of tables."""
+"""Has `stand`, that all samples differ from: that of the file, with the run-time wrenches that a regime needs; and
+`values` of its tables, or of samples."""
 
 
 @dataclass(eq=False)
 class ByStand:
-    """Quantities by name, of one stand after another."""
+    """Quantities by name, of one stand after another: each sample is a run of its own stand."""
 
     stand: Stand
     numbers_of: Callable[[Stand], Mapping[str, float]]
 
-    def values(self, tables: Tables) -> Values:
-        """Quantities of all samples of tables."""
-        columns, reasons = dict[str, Array](), [""] * len(tables)
-        for j in range(len(tables)):
+    def values(self, samples: Samples) -> Values:
+        """Quantities of all samples."""
+        columns, reasons = dict[str, Array](), [""] * samples.n
+        for j in range(samples.n):
             try:
-                numbers = self.numbers_of(tables.stand(j))
+                numbers = self.numbers_of(self.stand.replace(samples.values(j)))
             except MahovikError as error:
-                reasons[j] = str(error)
+                reasons[j] = first_reason(error, self.stand.name)
                 continue
             for name, number in numbers.items():
-                columns.setdefault(name, np.full(len(tables), np.nan))[j] = number
+                columns.setdefault(name, np.full(samples.n, np.nan))[j] = number
         return columns, reasons
 
 

@@ -62,6 +62,7 @@ def campaign(
     wanted = range(campaign_.chunks) if chunk is None else [chunk]
     missing = [number for number in wanted if read_chunk(campaign_, folder, number) is None]
     if missing:
+        notify(progress, Progress(f"{campaign_.name}: compiling {campaign_.stand.name}"))
         campaign_.rows(0, 0)  # refuses what it cannot compute, and compiles the C, before there are workers
     lost: dict[int, str] = {}
     done = len(wanted) - len(missing)

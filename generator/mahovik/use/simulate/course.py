@@ -186,11 +186,14 @@ class Course:
         self._run = _compiled("float" if block.x.dtype == np.float32 else "double")
         self._stretches: dict[int, tuple[dict[str, Array], Any]] = {}  # of `advance`, by number of steps
 
-    def run(self, rows: Mapping[str, Array], moments: dict[str, Array]) -> int:
+    def run(self, rows: Mapping[str, Array], moments: dict[str, Array], begins: bool) -> int:
         """Step through the stretches of `rows`; put the moments at their ends into arrays of `memory`.
+
+        begins  whether it is the moment at t = 0, whose accelerations the first step needs
 
         Returns how many moments are kept: fewer where all states are refused.
         """
+        self._c.solves = begins or bool(self.needs - {"phi"})
         for answer, name in zip(self._answer, self._names, strict=True):
             answer.to = moments[name].ctypes.data
         done = self._make(_Rows(len(rows["count"]), *(_address(rows[name]) for name in _ROWS)))
@@ -296,7 +299,7 @@ def motion(case: Case, block: Block, needs: Collection[str] = NEEDS, parts: int 
     needs   of NEEDS
     parts   see `parts_of`
 
-    Ends early where all samples are refused.
+    Ends early where all samples are refused, at the beginning with a piece of no moments.
     """
     regime, N, x = case.regime, len(case.stand.flywheels), block.x
     laws = [wheel.law if isinstance(wheel.law, TorqueLaw) else None for wheel in regime.flywheels]
@@ -320,7 +323,8 @@ def motion(case: Case, block: Block, needs: Collection[str] = NEEDS, parts: int 
         steps = np.cumsum(counts[first : first + at_once])
         last = first + (max(1, int(np.searchsorted(steps, STEPS, "right"))) if first else 1)
         moments = course.memory(last - first)
-        kept = course.run(_rows(case, block.inputs, block.x.dtype, first, counts[first:last].tobytes()), moments)
+        rows = _rows(case, block.inputs, block.x.dtype, first, counts[first:last].tobytes())
+        kept = course.run(rows, moments, not first)
         if not first:
             course.rate[:] = block.given["phi_ddot"]
         t = case.times[first : first + kept]
@@ -331,7 +335,7 @@ def motion(case: Case, block: Block, needs: Collection[str] = NEEDS, parts: int 
             late = t > course.when[j] if course.where[j] == 0 else t >= course.when[j]
             for array in moments.values():
                 array[:kept][late, :, j] = np.nan
-        if kept:
+        if kept or not first:
             yield Moments(t, **{name: array[:kept] for name, array in moments.items()})
         if kept < last - first:
             return
@@ -435,5 +439,5 @@ def why_refused(stand: Stand, block: Block, j: int) -> str:
     try:
         stream_at(stand, tuple(block.x[:3, j].tolist()))
     except StateError as outside:
-        return f"{words.partition(': the motion')[0]}: {outside}" if words else ""
+        return f"{words.rpartition(': ')[0]}: {outside}" if words else ""
     return words

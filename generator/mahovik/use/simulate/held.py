@@ -70,7 +70,7 @@ def allowed_start(stand: Stand, state: State) -> State:
     off = np.array(state.V) - np.array(twist_of(hold, state.u))
     if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.V).max())):
         raise UsageError(f"start: V moves along {worst(off)}, which [hold] blocks; expected u of {freedoms(hold)}")
-    if not _shows_freedoms(hold):
+    if not shows_freedoms(hold):
         return state
     off = _off_freedoms(stand, hold, state)
     if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.position).max())):
@@ -82,7 +82,7 @@ def allowed_start(stand: Stand, state: State) -> State:
     return state
 
 
-def _shows_freedoms(hold: Hold) -> bool:
+def shows_freedoms(hold: Hold) -> bool:
     """Whether a pose shows its freedoms: of a closed set, but not of a screw, whose turns a pose does not count."""
     return is_closed(hold) and all(freedom.kind != "twist" for freedom in hold.freedoms)
 

@@ -57,6 +57,8 @@ def simulate(
     try:
         block, moments = _moments(case, backend, needs)
         for piece in moments:
+            if not piece.t.size:  # refused at once
+                break
             pieces.append(piece)
             if progress is not None:
                 progress(float(piece.t[-1]))
