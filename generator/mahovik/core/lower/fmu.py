@@ -17,19 +17,7 @@ from mahovik.core.lower.limits import unit_square
 from mahovik.core.lower.step import check_length
 from mahovik.core.program.expression import Status
 from mahovik.core.program.function import Program
-from mahovik.core.program.kernel import (
-    OK,
-    RANGE,
-    Reals,
-    Result,
-    argument,
-    changed,
-    inline,
-    let,
-    local,
-    reals,
-    result,
-)
+from mahovik.core.program.kernel import OK, RANGE, Reals, Result, argument, changed, inline, let, local, reals, result
 from mahovik.core.program.validate import validate
 from mahovik.core.program.vector import dot
 from mahovik.core.program.walk import reachable

@@ -22,16 +22,7 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import about_mass_center, factored, lower_left
 from mahovik.core.program.expression import Place, Status
-from mahovik.core.program.kernel import (
-    OK,
-    Ints,
-    Reals,
-    argument,
-    body,
-    inline,
-    let,
-    reals,
-)
+from mahovik.core.program.kernel import OK, Ints, Reals, argument, body, inline, let, reals
 from mahovik.core.program.vector import cross, dot, symmetric
 from mahovik.core.stand.model import COMPONENTS, Task, TaskRow
 

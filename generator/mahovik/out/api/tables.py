@@ -221,11 +221,10 @@ class Variants:
     doubtful: NDArray[np.bool_]
 
 
-def variants(stand: Stand, real: str, samples: Samples, refused: dict[int, str] | None = None) -> Variants:
+def variants(stand: Stand, real: str, samples: Samples) -> Variants:
     """Read all samples; those that a decision parts from the first are read again, together.
 
-    Raises StandError for a sample that cannot be read, UsageError, InputError. With `refused` a sample that cannot be
-    read, or is of another structure, is noted there by number with the reason, and the others are read.
+    Raises StandError for a sample that cannot be read, UsageError, InputError.
     """
     from mahovik.core.lower.values import variant
 
@@ -239,19 +238,12 @@ def variants(stand: Stand, real: str, samples: Samples, refused: dict[int, str] 
     while rows.size or not readings:
         run = Run.of(len(rows))
         # of no sample at all the stand itself is read
-        try:
-            sampled, document = _read(stand, samples.columns(rows, run) if rows.size else {}, samples, rows)
-            if structure(sampled) != wanted:
-                raise UsageError(
-                    f"{document}: is of another structure than {stand.name}: gravity, or the part of a law, is zero "
-                    "there and not here, or the other way round; build a model of its own"
-                )
-        except (StandError, UsageError) as error:
-            if refused is None or not rows.size:
-                raise
-            refused |= {int(i): reason_of(stand, samples, int(i), error) for i in rows[~run.diverged]}
-            rows = rows[run.diverged]
-            continue
+        sampled, document = _read(stand, samples.columns(rows, run) if rows.size else {}, samples, rows)
+        if structure(sampled) != wanted:
+            raise UsageError(
+                f"{document}: is of another structure than {stand.name}: gravity, or the part of a law, is zero "
+                "there and not here, or the other way round; build a model of its own"
+            )
         of_body, of_laws, numbers = variant(sampled, layout, interpreter)
         if not readings:
             parameters, table = _first(of_body), _first(plain(of_laws))
@@ -288,15 +280,6 @@ def _read(stand: Stand, values: dict[str, Any], samples: Samples, rows: NDArray[
         if rows.size:
             read(change_values(stand, samples.values(int(rows[0]))), name)
         raise
-
-
-def reason_of(stand: Stand, samples: Samples, number: int, error: Exception) -> str:
-    """Why one sample cannot be, in one line, as the reader of stand files says it; else as `error` does."""
-    try:
-        read(change_values(stand, samples.values(number)), stand.name)
-    except (StandError, UsageError) as first:
-        error = first
-    return first_reason(error, stand.name)
 
 
 def first_reason(error: Exception, source: str) -> str:

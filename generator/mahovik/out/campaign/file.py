@@ -27,7 +27,7 @@ from mahovik.errors import CampaignError, StandError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.model import Model, build
 from mahovik.out.api.stands import Stand, load
-from mahovik.out.api.tables import Samples, Tables, change_values, check_sample, first_reason, variants
+from mahovik.out.api.tables import Samples, Tables, change_values, first_reason
 from mahovik.out.campaign.quantities import Quantity, QuantityTable
 from mahovik.out.campaign.runs import ByStand, Runner, read_over, runner_of
 from mahovik.out.campaign.vary import DESIGNS, IN_BLOCKS, MOST_HELD, Design, Draw, read_draw
@@ -47,45 +47,27 @@ def possible_tables(model: Model, changes: Mapping[str, Any], n: int | None = No
 
     Raises InputError for arrays that do not fit, UsageError for a path that leads nowhere.
     """
-    samples = Samples.of(changes, n)
-    try:
-        return PossibleTables(model.tables(samples.changes, samples.n), np.arange(samples.n), {})
-    except (StandError, UsageError):
-        reasons = _reasons(model, samples)
-    while True:
-        kept = np.array([i for i in range(samples.n) if i not in reasons], dtype=np.int64)
-        part = samples.part(kept)
-        try:
-            return PossibleTables(model.tables(part.changes, part.n), kept, dict(sorted(reasons.items())))
-        except StandError as error:  # what only the C refuses
-            refusals = {int(i): _refusal(model, samples.part(kept[k : k + 1])) for k, i in enumerate(kept)}
-            refusals = {number: reason for number, reason in refusals.items() if reason}
-            if not refusals:
-                raise error from None
-            reasons |= refusals
-
-
-def _reasons(model: Model, samples: Samples) -> dict[int, str]:
-    """Reasons of the samples that cannot be, by number. Raises UsageError."""
-    stand, reasons = Stand.of(model.stand), dict[int, str]()
+    samples, stand = Samples.of(changes, n), Stand.of(model.stand)
     with suppress(StandError):  # a path that leads nowhere is no matter of one sample
         change_values(stand, samples.values(0) if samples.n else {})
-    tables_of = variants(stand, model.tables({}, 0).real, samples, reasons)
-    for number in np.flatnonzero(tables_of.doubtful).tolist():
+    reasons, parts = dict[int, str](), [np.arange(samples.n)]
+    while parts:
+        rows = parts.pop()
+        part = samples.part(rows)
         try:
-            check_sample(stand, samples, number)
+            tables = model.tables(part.changes, part.n)
         except (StandError, UsageError) as error:
-            reasons[number] = first_reason(error, f"{stand.name}, sample {number}")
-    return reasons
-
-
-def _refusal(model: Model, samples: Samples) -> str:
-    """Why one sample cannot be; "" if it can."""
-    try:
-        model.tables(samples.changes, samples.n)
-    except StandError as error:
-        return first_reason(error, f"{model.stand.name}, sample 0")
-    return ""
+            if not len(rows):
+                raise
+            if len(rows) == 1:
+                reasons[int(rows[0])] = first_reason(error, f"{stand.name}, sample 0")
+            else:  # which half is it?
+                parts += np.array_split(rows, 2)[::-1]
+    kept = np.array([i for i in range(samples.n) if i not in reasons], dtype=np.int64)
+    if reasons:
+        part = samples.part(kept)
+        tables = model.tables(part.changes, part.n)
+    return PossibleTables(tables, kept, reasons)
 
 
 MOST = 999_999_999

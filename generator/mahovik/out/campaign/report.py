@@ -129,9 +129,5 @@ def _histogram(name: str, unit: str, values: Array) -> Panel:
 
 def write_report(campaign: Campaign, result: Result, path: Path) -> None:
     """Write a page of the summary with a histogram of each quantity, which opens offline. Raises UsageError."""
-    part = Part(
-        "Quantities",
-        html=result._repr_html_(),
-        panels=tuple(result.drawings),
-    )
+    part = Part("Quantities", html=result._repr_html_(), panels=tuple(result.drawings))
     write(path, page(campaign.name, [part], campaign.stand, [("campaign", campaign.path.name)]))

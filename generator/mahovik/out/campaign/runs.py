@@ -124,9 +124,7 @@ def read_over(raw: Mapping[str, Any], problems: Problems) -> tuple[str, Any]:
 
 
 _BESIDE = re.compile(rf"hold\.({'|'.join(PLACE_OF_HOLD)})\[|[^.]*\.motor\.")
-"""Paths of numbers that act beside the tables of the C: where the carrier is held a state has other numbers, and motors
-are those of the steps.
-"""
+"""Paths of numbers that act beside the tables of the C: a state is another one where the carrier is held elsewhere."""
 
 
 def runner_of(

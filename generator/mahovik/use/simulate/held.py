@@ -15,11 +15,7 @@ from typing import cast
 
 import numpy as np
 
-from mahovik.core.stand.hold import (
-    is_closed,
-    twist_of,
-    twists,
-)
+from mahovik.core.stand.hold import is_closed, twist_of, twists
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.core.stand.model import Hold, Stand, State, Vec3, rest_state
