@@ -176,8 +176,8 @@ def test_a_row_is_the_motion_of_its_own_stand(
     over = "\n".join(f"{key} = {_toml(value)}" for key, value in keys.items())
     vary = f'[vary]\n"{number.path}" = {{ uniform = [{low!r}, {high!r}] }}\n'
     wanted = {"speed": '"end speed"\nat = "a"', "rate": '"end rate"\nat = "carrier"\naxis = "y"'}
-    rows, (own,) = computed(folder, vary, over, wanted, "laden.toml", samples=1)
-    run = mahovik.build(own).simulate(0.01, regime=keys["regime"], start=start, dt=1e-3)
+    rows, (of_sample,) = computed(folder, vary, over, wanted, "laden.toml", samples=1)
+    run = mahovik.build(of_sample).simulate(0.01, regime=keys["regime"], start=start, dt=1e-3)
     assert (rows["speed"][0], rows["rate"][0]) == (run["phi_dot"][-1, 0], run["V"][-1, 4])
 
 
