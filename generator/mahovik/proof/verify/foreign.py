@@ -36,6 +36,7 @@ from mahovik.proof.verify.compare import Rows, ordinary
 from mahovik.proof.verify.draw import draw, onto_hold, with_angles, with_drawn_actuators, with_quaternion
 from mahovik.proof.verify.functions.optimality import judge_torques, motor_bounds
 from mahovik.proof.verify.harness import applicable
+from mahovik.proof.verify.motors import motor_states
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import LONGEST, Request, excerpt, state_line
 
@@ -126,11 +127,16 @@ def verify_program(
     ]
     if TORQUE_FOR in asked:
         requests += torque_requests(stand, states, seed)
+    scales = Scales(stand)
+    if "inverse" in asked:
+        edges = motor_states(stand, scales, ordinary(states, STATES))
+        requests += [Request(name, program.state(stand, state), ("inverse",)) for name, state in edges]
     try:
         results = answers_of_program(program, requests, timeout)
     except CheckError as error:
         return report(stand, program.name, seed, len(states), tolerance, (), str(error))
-    rows = _rows(stand, tolerance, "program", list(zip(requests, results, strict=True)), program.left_out, wants)
+    answered = list(zip(requests, results, strict=True))
+    rows = _rows(stand, tolerance, "program", answered, program.left_out, wants, scales)
     return report(stand, program.name, seed, len(states), tolerance, rows)
 
 
@@ -145,7 +151,7 @@ def verify_log(
 ) -> Report:
     """Judge the answers of a log of `count` states. `wants`: those it must have."""
     asked = [(request, result) for request, result in answers if not wants or request.want[0] in wants]
-    rows = _rows(stand, tolerance, "log", asked, ("reaction",), wants)
+    rows = _rows(stand, tolerance, "log", asked, ("reaction",), wants, Scales(stand))
     return report(stand, source, 0, count, tolerance, rows)
 
 
@@ -169,13 +175,14 @@ def takes_actuators(stand: Stand, program: Program, timeout: float) -> bool:
 
 
 def _rows(
-    stand: Stand, tolerance: float, judged: str, answered: Answered, left_out: Sequence[str], wants: Sequence[str]
-) -> list[Check]:
+    stand: Stand, tolerance: float, judged: str, answered: Answered, left_out: Sequence[str], wants: Sequence[str],
+    scales: Scales,
+) -> list[Check]:  # fmt: skip
     """Rows of the wants that a program offers; one row for each that it does not, MISSING where it is in `wants`."""
     by_want: dict[str, list[tuple[Request, Mapping[str, Any]]]] = {want: [] for want in wants}
     for request, result in answered:
         by_want.setdefault(request.want[0], []).append((request, result))
-    second, limits, scales = Second(stand), uniform(tolerance), Scales(stand)
+    second, limits = Second(stand), uniform(tolerance)
     other, compared, rows = CasadiBackend(stand, second), list[Check](), list[Check]()
     for want, pairs in by_want.items():
         refusals = [str(result["error"])[:200] for _, result in pairs if "error" in result]
