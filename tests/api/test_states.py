@@ -186,6 +186,8 @@ def test_what_is_of_the_freedoms_has_their_names() -> None:
     assert moved["u_dot", "pitch"] == moved["V_dot", "q"] != 0
     answer = model.inverse(x, V_dot=moved.V_dot)
     assert {one.name: one.axes for one in answer.columns}["residual"][0].labels == ("pitch",)
+    heads = {one.head for result in (moved, answer, model.generalized(x)) for one in result.flat()}
+    assert {"u_dot pitch, rad/s2", "residual pitch, N m", "q pitch, rad", "q_dot pitch, rad/s"} <= heads
     assert abs(answer["residual", "pitch"]) < 1e-9 and abs(answer["phi_ddot", "w1"] - 3.0) < 1e-9
 
 
@@ -308,6 +310,7 @@ def test_many_states_of_a_task() -> None:
             )
         assert mahovik.status_words(answer.status)[j] == due["status"]
     assert answer["residual", "acc1.wy"].shape == (5,)
+    assert "residual acc1.wy, rad/s2" in {one.head for one in answer.flat()}
 
 
 def test_rows_are_freed_by_name() -> None:

@@ -16,6 +16,7 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.contract.status import status_words as words_of_status
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, record
 from mahovik.core.stand.coordinates import row_name
+from mahovik.core.stand.hold import freedom_names, numbered_freedoms, twists
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.core.stand.units import show
@@ -97,8 +98,13 @@ _AXES: dict[tuple[Axis, ...], str] = {
 _BY_NAME = {name: axes for axes, names in _AXES.items() for name in names.split()}
 """What the axes of an array count; flywheels and sensors are known by what the C says that an axis counts."""
 
-_OF_ROWS = ("residual", "hardest", "u_dot", "q_dot", "q_ddot")
-"""Results with a number for each row of a task, or for each freedom of a held carrier."""
+_BY_ROW = {
+    **dict.fromkeys(("residual", "hardest"), ("N", "N m")),
+    **dict.fromkeys(("u_dot", "q_ddot"), ("m/s2", "rad/s2")),
+    "q": ("m", "rad"),
+    "q_dot": ("m/s", "rad/s"),
+}
+"""Results of freedoms of a held carrier, in units of slides and of turns; of a task's rows, which are accelerations."""
 
 _FLYWHEEL_RESULTS: dict[str, tuple[Member, ...]] = {
     "matrices": tuple(Member(name, "real", (6, 0), ("", "N")) for name in ("I", "J")),
@@ -133,13 +139,27 @@ class Calls:
 
     def _columns(self, f: ArrayFunction) -> Iterator[Column]:
         """A column of no state for each result of a function."""
-        of_rows = self._axes.get("u", self._rows.get(task_of(f.name)))
         for a in f.arguments:
             for m in a.members if a.direction != "in" else ():
                 for inner in m.members or (m,):
-                    one = self._column(inner, m.axes if m.members else ())
-                    yield one._replace(axes=(of_rows,)) if of_rows and one.name in _OF_ROWS else one
+                    yield self._by_row(self._column(inner, m.axes if m.members else ()), task_of(f.name))
         yield from map(self._column, _FLYWHEEL_RESULTS.get(f.name, ()) if not self.flywheels else ())
+
+    def _by_row(self, one: Column, task: str) -> Column:
+        """A column of rows of a task, or of freedoms of a held carrier, with their names and units; others as is."""
+        hold = self.stand.hold
+        if one.name not in _BY_ROW or not (task or hold):
+            return one
+        if task or hold is None:
+            axis = self._rows[task]
+            turns = [name.rpartition(".")[2].startswith("w") for name in axis.labels]
+        else:
+            kept = numbered_freedoms(hold) if one.name == "q" else range(len(hold.freedoms))
+            axis = Axis("freedom", tuple(freedom_names(hold)[k] for k in kept))
+            turns = [bool(twists(hold)[3:, k].any()) for k in kept]
+        sliding, turning = _BY_ROW["u_dot" if task else one.name]
+        units = [turning if turn else sliding for turn in turns]
+        return one._replace(axes=(axis,), unit=", ".join(units if len(set(units)) > 1 else units[:1]))
 
     def _column(self, member: Member, before: tuple[str, ...] = ()) -> Column:
         """The column of a member of the C, of no state; `before`: what axes count that stand before its own."""
