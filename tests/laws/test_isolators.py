@@ -218,6 +218,8 @@ def test_samples_differ_as_their_stands_do() -> None:
         (PRELOAD + corners("[1e3, 1e3, 0]"), "isolator: nothing carries the weight along z: springs have no stiffness"),
         (PRELOAD + isolator("one", [0.3, 0, 0]), "isolator: nothing carries the weight along"),
         (PRELOAD + corners("[4e3, 4e3, 50]"), "suspension, preload: springs would turn by"),
+        *((PRELOAD + isolator("one", [0, 0, 0], "[2e3, 2e3, 2e3]") + isolator("two", place, "[2e3, 2e3, 2e3]"),
+           "suspension, preload: springs would turn by") for place in ([7.4e-163, 0, 0], [0, 0, 7.4e-163])),
         (isolator("one", [0, 0, 0]) + isolator("one", [0, 0, 0]), "name: taken by an isolator"),
         (
             isolator("a", [0.3, 0.2, 0]) + isolator("b", [0.3, -0.2, 0])

@@ -131,7 +131,7 @@ def _summed(isolators: Sequence[Isolator], preload: bool, stand: Stand) -> Summe
     position, angles = (ZERO3, ZERO3) if stand.hold is None else (stand.hold.position, stand.hold.angles)
     if preload:
         turn = math.sqrt(math.fsum(a * a for a in x[3:]))
-        if turn > 1.0:
+        if not turn <= 1.0:  # it may be no number
             raise QuantityError("suspension", "preload", f"springs would turn by {turn:.3g} rad, expected at most 1")
         _require_stable(K, x, gravity, stand)
     if preload and any(x):
