@@ -175,7 +175,7 @@ def test_a_fresh_copy_is_judged_with_all_its_functions() -> None:
     compared = {row.judged: row.states for row in report.rows if row.verdict == "ok"}
     assert {*CHOSEN} < compared.keys()
     assert not [row for row in report.rows if row.judged and row.verdict == "not compared"]
-    assert re.search(r"\n regressor +1 ", report_result(report).text(100))
+    assert re.search(r"\n regressor +12 ", report_result(report).text(100))
 
 
 def test_reports_as_json_and_junit() -> None:

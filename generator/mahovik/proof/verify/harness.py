@@ -33,7 +33,7 @@ from mahovik.proof.verify.states import Backend, Request
 INTERPRETED_EVERY = 8
 """The interpreter, a thousand times slower than C, runs at every eighth state."""
 
-FUNCTION_STATES = 8
+FUNCTION_STATES = 12
 """Ordinary states at which functions that answer no want are judged."""
 
 NAMED = 4

@@ -33,9 +33,6 @@ ORDINARY = 2
 ROUNDINGS, LAST_PLACE = 16.0, {"double": 2.0**-53, "float": 2.0**-24}
 """Roundings of its scale by which a number may be off; a rounding, relative."""
 
-SHAKEN = 3
-"""Neighbours more of least squares, with other norms."""
-
 KEPT = 256
 """States whose neighbours are kept: they are drawn first, and judged then."""
 
@@ -262,7 +259,7 @@ class Scales:
         X = root @ at.I / Theta
         size = sum(float(np.linalg.norm(root @ term)) for term in _terms(at, np.zeros(6), np.zeros(len(Theta))))
         of_I, of_F = (self._size * number for number in (float(np.linalg.norm(X)), size))
-        for _ in range(SHAKEN):
+        for _ in range(PERTURBATIONS):
             R = self._size * rng.uniform(-1.0, 1.0, (6, 6))
             I = at.I + L @ (of_I * rng.uniform(-0.4, 0.4, X.shape)) * Theta
             F = at.F + L @ (of_F * rng.uniform(-0.4, 0.4, 6))

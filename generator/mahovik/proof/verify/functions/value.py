@@ -54,9 +54,6 @@ OTHER_STANDS, BODIES = 3, 6
 JACOBIAN_STATES, LOCKED_STATES = 4, 1
 """States at which a Jacobian is judged, and with locks: each pattern needs a derivative of its own."""
 
-REGRESSOR_STATES, ESTIMATE_STATES = 1, 3
-"""States at which columns of bodies are compared, hundreds of numbers at each, and estimates that rest on them."""
-
 DEVIATION, NOISE, FORGET = 1e-3, 0.1, 0.1
 """kg m: deviation of the unbalances before a sample; noise, a part of what these make of a component; `forget`."""
 
@@ -95,7 +92,7 @@ def judge_trials(case: Case, rows: Rows, trials: Callable[[Case], Iterator[Trial
 
 def regressor_trials(case: Case) -> Iterator[Trial]:
     """The columns of every body."""
-    for name, state in case.states[:REGRESSOR_STATES]:
+    for name, state in case.states:
         yield Trial(
             name, state, case.backend.arguments(state), lambda stand, near, at: answer_regressor(at, stand, near)
         )
@@ -136,7 +133,7 @@ def estimate_trials(case: Case) -> Iterator[Trial]:
     Some variances reach the largest as they grow, and some components of V_dot are not used.
     """
     n = 2 * case.count
-    for number, (name, state) in enumerate(case.states[:ESTIMATE_STATES]):
+    for number, (name, state) in enumerate(case.states):
         rng, largest = case.random(number), float(case.nearest_numbers(DEVIATION**2))
         prior = {
             "unbalance": case.nearest_numbers(DEVIATION * rng.normal(size=n)).tolist(),
