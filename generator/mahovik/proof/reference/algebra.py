@@ -295,5 +295,5 @@ def quaternion_of(C: Array) -> Array:
 
 def rotation_vector(C: Array) -> Array:
     """Rotation vector (3, rad, length <= pi) of C (3x3): axis times angle, the same in both frames."""
-    w, e = np.split(quaternion_of(C), [1])
-    return np.asarray(2.0 * angle_over_sine(hypot(*e), w[0]) * e)
+    q = quaternion_of(C)
+    return np.asarray(2.0 * angle_over_sine(hypot(*q[1:]), q[0]) * q[1:])

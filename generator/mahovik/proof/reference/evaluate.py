@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from types import MappingProxyType
-from typing import Any, TypeVar, cast
+from typing import Any, cast
 
 import numpy as np
 
@@ -17,9 +16,13 @@ from mahovik.proof.reference import coordinates, inverse, motion
 from mahovik.proof.reference.algebra import (
     Array,
     E,
+    Phi,
     Pose,
     Values,
+    blocks,
     carrier_rotation,
+    cross,
+    f,
     stack,
     times,
     transpose,
@@ -28,7 +31,7 @@ from mahovik.proof.reference.algebra import (
     wrench_to_parent,
     zero,
 )
-from mahovik.proof.reference.motion import forward, reaction, torque
+from mahovik.proof.reference.motion import forward, mounts_on_flywheels
 from mahovik.proof.reference.pieces import (
     Bodies,
     BodyReference,
@@ -125,49 +128,6 @@ def run_time_wrench(state: State, body: Body) -> Array:
 
 # -- the regressor -----------------------------------------------------------------------------------------------------
 
-_MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
-"""Order of the moments of inertia: 11, 22, 33, 12, 13, 23."""
-
-AnyBody = TypeVar("AnyBody", bound=Body)
-
-
-def required_loads(stand: Stand, state: State) -> Array:
-    """K V_r* + M V_r + I phi'' + J phi' - F, and tau (6 + N): what the motion of the state takes besides F."""
-    at, V_dot, phi_ddot = pieces(stand, state), vector(state.V_dot), vector(state.phi_ddot)
-    return np.concatenate([reaction(at, V_dot, phi_ddot), torque(at, V_dot, phi_ddot)])
-
-
-def _loads_of_one(
-    stand: Stand, state: State, name: str, mass: float, center: Array, J: Array, Lambda: Array | None = None
-) -> Array:
-    """The loads of one body alone, of a mass, centre and J (3x3) about its origin, or of added mass.
-
-    What bears it has no mass. No law acts but weight; nothing holds the carrier.
-    """
-    wheels = [k for k, s in enumerate(stand.flywheels) if s.name == name]
-    mounts = {stand.flywheels[k].mount for k in wheels}
-
-    def bare(body: AnyBody) -> AnyBody:
-        m, rc, inertia = (mass, center, J) if body.name == name else (0.0, zero[0], zero)
-        numbers = {"mass": m, "center_of_mass": _nested(rc), "inertia": _nested(inertia)}
-        return replace(body, laws=(), inertia_about="origin", **numbers)
-
-    alone = replace(
-        stand,
-        laws=(),
-        carrier=replace(bare(stand.carrier), added_mass=None if Lambda is None else _nested(Lambda)),
-        instruments=tuple(replace(bare(p), added_mass=None) for p in stand.instruments if p.name in mounts),
-        flywheels=tuple(bare(stand.flywheels[k]) for k in wheels),
-        hold=None,
-    )
-    motion: Any = {key: tuple(getattr(state, key)[k] for k in wheels) for key in ("phi", "phi_dot", "phi_ddot")}
-    return required_loads(alone, replace(state, **motion))
-
-
-def _nested(numbers: Array) -> Any:
-    """A vector or a matrix as the stand has it."""
-    return tuple(tuple(row.tolist()) if row.ndim else float(row) for row in numbers)
-
 
 def _unit(i: int, j: int, size: int) -> Array:
     """Symmetric matrix with 1 at i, j."""
@@ -176,65 +136,67 @@ def _unit(i: int, j: int, size: int) -> Array:
     return unit
 
 
-def body_columns(stand: Stand, state: State, name: str, numbers: Sequence[int] = range(10)) -> Array:
-    """Those of the ten columns of a body: mass, first moment, J about its origin, in its own frame.
+_MOMENTS = [_unit(i, j, 3) for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
 
-    Six rows of the carrier's loads, and of a flywheel the one of its drive.
+UNIT_BODIES = np.stack(
+    [blocks(E, zero, zero, zero)]
+    + [blocks(zero, -cross(axis), cross(axis), zero) for axis in E]
+    + [blocks(zero, zero, zero, moment) for moment in _MOMENTS]
+)
+"""Theta (10x6x6) of bodies with one number: mass, first moment, moments of inertia 11, 22, 33, 12, 13, 23."""
+
+UNIT_ADDED_MASSES = np.stack([_unit(i, j, 6) for i in range(6) for j in range(i, 6)])
+"""Lambda (21x6x6) with one number of the upper half, row by row; both halves change together."""
+
+
+def body_columns(at: Pieces, state: State) -> tuple[Array, Array]:
+    """Columns of every body (nx6x10, and nx10 of its drive): what UNIT_BODIES in its place take by (4), besides weight.
+
+    The wrench of the mount on it, carried to E1 about O1, and its part along the spin axis.
     """
-
-    def loads(mass: float, center: Array, J: Array) -> Array:
-        return _loads_of_one(stand, state, name, mass, center, J)
-
-    mass = loads(1.0, zero[0], zero)
-
-    def column(number: int) -> Array:
-        if number > len(E):
-            return loads(0.0, zero[0], _unit(*_MOMENTS[number - 4], 3))
-        return loads(1.0, E[number - 1], zero) - mass if number else mass
-
-    return np.column_stack([column(number) for number in numbers])
-
-
-def added_mass_columns(stand: Stand, state: State) -> Array:
-    """Columns of the upper half of the added mass (6 x 21), row by row; both halves change together."""
-    units = [_unit(i, j, 6) for i in range(6) for j in range(i, 6)]
-    return np.column_stack([_loads_of_one(stand, state, stand.carrier.name, 0.0, zero[0], zero, L) for L in units])
+    k = at.bodies
+    phi_ddot = np.concatenate([np.zeros(len(k.bodies) - len(state.phi_ddot)), vector(state.phi_ddot)])
+    units = UNIT_BODIES[:, None]
+    gravity = transpose(k.L[:, :3, :3]) @ at.gravity
+    weight = times(units, np.hstack([gravity, np.zeros_like(gravity)]))  # Theta (g, 0) = (m g, m rc x g)
+    alone = replace(k, Theta=units)
+    wrenches = mounts_on_flywheels(alone, weight, at.V, vector(state.V_dot), phi_ddot)
+    return np.moveaxis(times(k.L, wrenches), 0, -1), (wrenches @ f).T
 
 
 def answer_regressor(at: Pieces, stand: Stand, state: State) -> Values:
-    """Columns by the names of the C; those of the added mass only if the stand has it.
+    """Columns by the names of the C; those of the added mass, Lambda V_r* + Phi(V_r) Lambda V_r, if the stand has it.
 
     Linear damping A of the carrier takes A V_r, quadratic damping A (V_r |V_r|): row i has A[i][j] times number j.
     """
-    state = replace(state, wrench=MappingProxyType({}))
-    values: Values = {"Y_carrier": body_columns(stand, state, stand.carrier.name)}
-    if stand.flywheels:
-        columns = np.stack([body_columns(stand, state, s.name) for s in stand.flywheels])
-        values["Y_flywheel"] = columns[:, :6]
-        values["Y_drive"] = columns[:, 6]
+    columns, drives = body_columns(at, state)
+    values: Values = {"Y_carrier": columns[0]}
+    if count := len(stand.flywheels):
+        values |= {"Y_flywheel": columns[-count:], "Y_drive": drives[-count:]}
     if stand.carrier.added_mass is not None or any(p.added_mass is not None for p in stand.instruments):
-        values["Y_added_mass"] = added_mass_columns(stand, state)
+        inertial = UNIT_ADDED_MASSES @ at.V_r_dot(vector(state.V_dot))
+        values["Y_added_mass"] = (inertial + UNIT_ADDED_MASSES @ at.V_r @ Phi(at.V_r).T).T
     return values | {"Y_linear": at.V_r, "Y_quadratic": at.V_r * np.abs(at.V_r)}
 
 
 # Recursive least squares of static unbalances, in the covariance form.
 
 
-def slopes(stand: Stand, state: State) -> Array:
+def slopes(at: Pieces, state: State) -> Array:
     """-K^-1 Y (6x2N): K V* = F - ... - Y u, so that an unbalance u changes V* by this."""
-    columns = [body_columns(stand, state, s.name, (2, 3))[:6] for s in stand.flywheels]
-    return np.asarray(-np.linalg.solve(pieces(stand, state).K, np.hstack(columns)))
+    columns = body_columns(at, state)[0][-len(state.phi) :, :, 2:4]
+    return np.asarray(-np.linalg.solve(at.K, np.hstack(list(columns))))
 
 
-def identify_step(stand: Stand, state: State, noise: Array, unbalance: Array, covariance: Array) -> tuple[Array, Array]:
+def identify_step(at: Pieces, state: State, noise: Array, unbalance: Array, covariance: Array) -> tuple[Array, Array]:
     """Static unbalances (2N; kg m) and their covariance (2Nx2N) after one sample, from those before it.
 
     m rc along axes 2 and 3 of each flywheel, to be added. V_dot of the state is measured, with independent standard
     deviations `noise` (6); a component with 0 is not used. The covariance is Joseph's sum of squares, component by
     component, as a difference of covariances loses digits.
     """
-    H, P = slopes(stand, state), covariance
-    excess = vector(state.V_dot) - forward(pieces(stand, state), vector(state.phi_ddot))
+    H, P = slopes(at, state), covariance
+    excess = vector(state.V_dot) - forward(at, vector(state.phi_ddot))
     for h, deviation, measured in zip(H, noise, excess, strict=True):
         if deviation:
             gain = P @ h / (h @ P @ h + deviation**2)

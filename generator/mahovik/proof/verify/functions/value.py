@@ -142,12 +142,18 @@ def estimate_trials(case: Case) -> Iterator[Trial]:
             "largest": largest,
         }
         grown = np.minimum(largest, (1.0 + FORGET) * np.array(prior["variance"]))
-        H, u, P = slopes(case.stand, state), np.array(prior["unbalance"]), covariance({**prior, "variance": grown})
+        H, u, P = (
+            slopes(case.scales.at(state), state),
+            np.array(prior["unbalance"]),
+            covariance({**prior, "variance": grown}),
+        )
         noise = case.nearest_numbers(NOISE * np.sqrt(np.diag(H @ P @ H.T)))
         noise[number % 7 :: 7] = 0.0
 
-        def equation(stand: Stand, near: State, _: Any, noise: Array = noise, u: Array = u, P: Array = P) -> Values:
-            return dict(zip(("unbalance", "covariance"), identify_step(stand, near, noise, u, P), strict=True))
+        def equation(
+            _: Stand, near: State, at: reference.Pieces, noise: Array = noise, u: Array = u, P: Array = P
+        ) -> Values:
+            return dict(zip(("unbalance", "covariance"), identify_step(at, near, noise, u, P), strict=True))
 
         inputs = {**case.backend.arguments(state), "noise": noise.tolist(), "forget": FORGET, "estimate": prior}
         yield Trial(name, state, inputs, equation, lambda results: {
