@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.lower.law_arrays import law_arrays
+from mahovik.core.lower.law_arrays import LawArrays
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.core.stand.model import Law, State
 from mahovik.core.stand.random import random_state
@@ -143,7 +143,7 @@ def compare_slopes(stand: Stand, law: type[Law], kind: str, seed: int, slower: f
     `kind` is how its terms in the reference begin. The slopes (6, 12) are compared, and returned, at the pose of a
     random state and at its twist divided by `slower`.
     """
-    laws = law_arrays(replace(stand, laws=tuple(one for one in stand.laws if isinstance(one, law))))
+    laws = LawArrays(replace(stand, laws=tuple(one for one in stand.laws if isinstance(one, law))))
     pieces = reference.pieces(stand, state := random_state(stand, np.random.default_rng(seed)))
     place, V = np.array(state.position), pieces.V / slower
 

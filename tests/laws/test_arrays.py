@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from laws.stands import TEXTS, bearing
-from mahovik.core.lower.law_arrays import LawArrays, law_arrays, law_functions, quaternions
+from mahovik.core.lower.law_arrays import LawArrays, law_functions, quaternions
 from mahovik.core.program.columns import Array
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
@@ -43,7 +43,7 @@ def compare(
 
     expected = np.array([run(interpreter, {k: x[m].tolist() for k, x in samples.items()}) for m in range(len(values))])
     rows = run(columns, {k: [*x.T] for k, x in samples.items()})
-    columns.refused.clear()
+    columns.begin()
     assert np.array_equal(np.array(np.broadcast_arrays(*rows, values[:, 0])[:6]).T, expected)
     assert_allclose(values, expected, rtol=0, atol=1e-12 * np.abs(expected).max(initial=1e-300))
 
@@ -58,7 +58,7 @@ def draw_samples(seed: int) -> dict[str, Array]:
 
 def agrees(stand: Stand, seed: int) -> None:
     """All laws of a stand."""
-    laws, at = law_arrays(stand), draw_samples(seed)
+    laws, at = LawArrays(stand), draw_samples(seed)
     for body in laws.bodies:
         if body is not None:
             named = {"table": laws.table, "damper": body.damper}

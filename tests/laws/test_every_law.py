@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from laws import stands
 from laws.stands import CARRIER, CONTROL, FADES, HULL, KEY, MAIN, PRODUCTS, RUDDER, SLENDER, TEXTS, bearing
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.lower.law_arrays import TwistLaws, law_arrays
+from mahovik.core.lower.law_arrays import LawArrays, TwistLaws
 from mahovik.core.stand import dumps, identities, loads
 from mahovik.core.stand.model import Carrier
 from mahovik.core.stand.random import BARE, random_stand, random_state
@@ -89,7 +89,7 @@ def test_a_stand_without_it_moves_in_another_way(law: str) -> None:
 
 def arrays_of(body: Carrier) -> TwistLaws:
     """The laws of a carrier on arrays."""
-    laws = law_arrays(replace(loads(CARRIER), carrier=body)).bodies[0]
+    laws = LawArrays(replace(loads(CARRIER), carrier=body)).bodies[0]
     assert laws is not None
     return laws
 

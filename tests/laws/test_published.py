@@ -15,7 +15,7 @@ from scipy.integrate import quad
 
 from audits.audit import momentum_products, without_added_products
 from laws.stands import CONTROL, MAIN, RUDDER, SLENDER, STILL, TEXTS, WHOLE, bearing
-from mahovik.core.lower.law_arrays import law_arrays
+from mahovik.core.lower.law_arrays import LawArrays
 from mahovik.core.stand import Stand, loads, rest_state
 from mahovik.core.stand.law import Velocity
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS
@@ -155,7 +155,7 @@ def test_products_have_no_power_and_are_those_of_the_handbook(V: np.ndarray) -> 
     warned = -np.einsum("ijk,j,k->i", products_of_added_mass(Lambda), V, V)
     np.testing.assert_allclose(P, warned, rtol=0, atol=1e-13 * size)
     damping = Damping(None, None, (), contains_products=True)
-    law = law_arrays(replace(stand, carrier=replace(carrier, laws=(damping,)))).bodies[0]
+    law = LawArrays(replace(stand, carrier=replace(carrier, laws=(damping,)))).bodies[0]
     assert law is not None
     np.testing.assert_allclose(law.wrench(V[None])[0], P, rtol=0, atol=1e-13 * size)
     step = np.eye(6)

@@ -14,7 +14,7 @@ mahovik.laws.__path__.append(str(Path(__file__).parent / "added"))
 rows.BODY_LAWS += ("tug",)  # type: ignore[assignment]  # the row
 
 from mahovik.core.lower.fmu_variables import laws  # noqa: E402
-from mahovik.core.lower.law_arrays import law_arrays  # noqa: E402
+from mahovik.core.lower.law_arrays import LawArrays  # noqa: E402
 from mahovik.core.stand import dumps, identities, loads  # noqa: E402
 from mahovik.core.stand.files import parse_toml  # noqa: E402
 from mahovik.core.stand.laws import body_laws  # noqa: E402
@@ -40,7 +40,7 @@ if __name__ == "__main__":
         random_stand(np.random.default_rng(2), 1, BARE),
         carrier=replace(stand.carrier, laws=tuple(filter(None, [stand.carrier.law(tug)]))),
     )
-    (carrier, *_) = law_arrays(alone).bodies
+    (carrier, *_) = LawArrays(alone).bodies
     assert carrier is not None and not carrier.rate(np.ones((1, 6))).any()  # it reads no speed
     lowered = generated(stand)
     shown = {member.name: member for member in laws(stand, lowered.layout, lowered.values)}

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping, Sequence
-from functools import cached_property, lru_cache
+from collections.abc import Mapping
+from functools import lru_cache
 from types import SimpleNamespace
 from typing import Any
 
@@ -19,9 +18,9 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.values import laws_of, parameters_of
 from mahovik.core.lower.wrenches import add_laws, damp
-from mahovik.core.program.columns import Array, Arrays, Columns, Trace
+from mahovik.core.program.columns import Array, Columns
 from mahovik.core.program.function import Program
-from mahovik.core.program.interpret import Interpreter, plain
+from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.kernel import Reals, result
 from mahovik.core.program.tangent import Tangents
 from mahovik.core.program.types import DOUBLE
@@ -29,10 +28,7 @@ from mahovik.core.stand.model import Stand, Structure
 from mahovik.core.stand.structure import structure
 from mahovik.errors import StateError
 
-POSE = {"position": 3, "attitude": 4, "V": 6, "C": 9}
-"""Inputs of the laws between E0 and the carrier: place of O1, quaternion, twist, rotation matrix row by row."""
-
-UNIT = np.eye(6).tolist()
+UNIT = np.eye(6)
 
 
 @lru_cache(maxsize=16)
@@ -73,50 +69,45 @@ def law_functions(stand_structure: Structure) -> tuple[Library, Interpreter, Col
     return lib, Interpreter(program), Columns(program)
 
 
-def law_arrays(stand: Stand) -> LawArrays:
-    """The laws of a stand, made once for its numbers. Raises StandError where one is out of range."""
-    stand_structure = structure(stand)
-    lib, interpreter, _ = law_functions(stand_structure)
-    table = laws_of(stand, lib.layout, interpreter)
-    for k, one in enumerate(parameters_of(stand, lib.layout)["instrument"] if stand.instruments else ()):
-        axes = interpreter.run("frame_of_axes", {"axis": one["axis"], "zero": one["zero"]})[1]["R"]
-        table.sensor[k].axes = axes
-    return _at_numbers(stand_structure, json.dumps(plain(table)))
-
-
-@lru_cache(maxsize=64)
-def _at_numbers(stand_structure: Structure, numbers: str) -> LawArrays:
-    return LawArrays(stand_structure, json.loads(numbers))
-
-
 class LawArrays:
-    """The laws of a stand, at the numbers of its table."""
+    """The laws of a stand. Raises StandError where one is out of range."""
 
-    def __init__(self, stand_structure: Structure, numbers: dict[str, Any]) -> None:
-        self._lib, interpreter, self._columns = law_functions(stand_structure)
+    def __init__(self, stand: Stand) -> None:
+        self._lib, interpreter, self._columns = law_functions(structure(stand))
         layout, self.names = self._lib.layout, {f.name for f in self._lib.functions}
-        self.table = table = interpreter.fill_storage(layout.table, numbers)
+        self.table = table = laws_of(stand, layout, interpreter)
+        for k, one in enumerate(parameters_of(stand, layout)["instrument"] if stand.instruments else ()):
+            axes = interpreter.run("frame_of_axes", {"axis": one["axis"], "zero": one["zero"]})[1]["R"]
+            table.sensor[k].axes = axes
         dampers = ({0: table.damper} if layout.carrier_damped else {}) | {
             body.index: table.frame[k].damper for k, body in enumerate(layout.local_bodies) if layout.local_damped
         }
         acted_on = {i for law in parts("program", BodyProgram, BODY_LAWS) for i in law.bodies(layout.structure)}
         self.bodies = tuple(
-            TwistLaws(self, dampers[i]) if i in acted_on else None for i in range(len(stand_structure.bodies))
+            TwistLaws(self, dampers[i]) if i in acted_on else None for i in range(len(layout.structure.bodies))
         )
         """The laws of each body by its own twist; None where it has none."""
 
-    def arrays(
-        self, name: str, trace: Trace, changes: Sequence[Mapping[str, Any]], inputs: Mapping[str, Any]
-    ) -> Arrays:
-        """A function of the program, once for each of `changes` of its inputs; results of all by component."""
-        columns, refused = [], self._columns.refused
-        refused.clear()
-        for change in changes:
-            columns.append([0.0] * 6)
-            named = {"table": self.table, **inputs, **change} | dict.fromkeys(("P", "F", "d_P", "d_F"), columns[-1])
-            self._columns.call(name, *(named[argument] for argument in self._lib.taken(name)))
-        results = [x for row in zip(*columns, strict=True) for x in row]
-        return Arrays(trace, results, refused, mean=len(changes) > 1)
+    def run(self, name: str, shape: tuple[int, ...], inputs: Mapping[str, Any], turned: bool = False) -> Array:
+        """What a function of the program gives (*shape, 6). Raises StateError where it refuses a sample."""
+        result, columns = [0.0] * 6, self._columns
+        columns.begin(turned)
+        named = {"table": self.table, **inputs} | dict.fromkeys(("P", "F", "d_P", "d_F"), result)
+        columns.call(name, *(named[argument] for argument in self._lib.taken(name)))
+        if any(map(np.any, columns.refused)):
+            words = [law.invalid for law in self._lib.layout.law_tables if law.refuses]
+            raise StateError(f"{' or '.join(words)} on the way")
+        return np.stack([np.broadcast_to(x, shape) for x in result], axis=-1)
+
+    def slopes(self, name: str, shape: tuple[int, int], inputs: Mapping[str, Any]) -> Array:
+        """Derivatives (M, 6, n) that a function gives for n directions of M samples, a shape (n, M).
+
+        At a kink the mean of both sides.
+        """
+        result = self.run(name, shape, inputs)
+        if any(map(np.any, self._columns.ties)):
+            result = 0.5 * (result + self.run(name, shape, inputs, turned=True))
+        return result.transpose(1, 2, 0)
 
     # -- laws between E0 and the carrier -----------------------------------------------------------------------------
 
@@ -127,41 +118,19 @@ class LawArrays:
 
     def tied(self, O1: Array, C: Array, V: Array) -> Array:
         """Their wrench (M, 6) on the carrier about O1 in E1, at places O1 (M, 3), C (M, 3, 3), V (M, 6). StateError."""
-        return self._at(self._tied, O1, C, V)
+        return self.run("tied", (len(V),), _pose(O1, quaternions(C), C, V))
 
     def tied_slopes(self, O1: Array, C: Array, V: Array) -> Array:
-        """Its derivatives (M, 6, 12) by a small pose (translation, rotation vector on E1) and by V.
-
-        At a kink the mean of both sides. Raises StateError.
-        """
-        return self._at(self._tied_slopes, O1, C, V).reshape(-1, 6, 12)
-
-    def _at(self, arrays: Arrays, O1: Array, C: Array, V: Array) -> Array:
-        q = quaternions(C) if arrays.takes(range(3, 7)) else np.zeros((len(V), 4))
-        wrenches, refused = arrays(np.concatenate([O1, q, V, C.reshape(-1, 9)], axis=1).T)
-        if refused:
-            words = [law.invalid for law in self._lib.layout.law_tables if law.refuses]
-            raise StateError(f"{' or '.join(words)} on the way")
-        return wrenches
-
-    @cached_property
-    def _tied(self) -> Arrays:
-        trace, pose = _pose()
-        return self.arrays("tied", trace, [{}], pose)
-
-    @cached_property
-    def _tied_slopes(self) -> Arrays:
-        trace, pose = _pose()
-        C, w, v = np.array(pose["C"]).reshape(3, 3), pose["attitude"][0], np.array(pose["attitude"][1:])
-        changes = [{"d_position": C[:, k].tolist()} for k in range(3)]
-        for e in np.eye(3):
-            turned = np.cross(np.eye(3), -e)  # rows e x e_i: those of <e>^T
-            attitude = [-0.5 * (v @ e), *(0.5 * (e * w + np.cross(v, e)))]
-            changes.append({"d_C": (C @ turned.T).ravel().tolist(), "d_attitude": attitude})
-        changes += [{"d_V": e} for e in UNIT]
-        none = {f"d_{name}": [0.0] * size for name, size in POSE.items()}
+        """Its derivatives (M, 6, 12) by a small pose (translation, rotation vector on E1) and by V. StateError."""
+        q, M = quaternions(C), len(V)
+        d_O1, d_q, d_C, d_V = np.zeros((12, M, 3)), np.zeros((12, M, 4)), np.zeros((12, M, 3, 3)), np.zeros((12, M, 6))
+        d_O1[:3], d_V[6:] = C.transpose(2, 0, 1), UNIT[:, None]
+        for k, e in enumerate(np.eye(3), 3):
+            d_C[k] = C @ np.cross(np.eye(3), -e).T  # rows e x e_i: those of <e>^T
+            d_q[k, :, 0], d_q[k, :, 1:] = -0.5 * (q[:, 1:] @ e), 0.5 * (e * q[:, :1] + np.cross(q[:, 1:], e))
+        changes = {f"d_{name}": x for name, x in _pose(d_O1, d_q, d_C, d_V).items()}
         name = next(f.name for f in self._lib.functions if f.name.startswith("tied_by"))
-        return self.arrays(name, trace, [none | change for change in changes], pose)
+        return self.slopes(name, (12, M), _pose(O1, q, C, V) | changes)
 
 
 class TwistLaws:
@@ -172,32 +141,21 @@ class TwistLaws:
 
     def wrench(self, v: Array) -> Array:
         """P (M, 6; N, N m)."""
-        return self._wrench(v.T)[0]
+        return self._laws.run("damped", (len(v),), {"damper": self.damper, "V": [*v.T]})
 
     def rate(self, v: Array) -> Array:
         """dP/dv (M, 6, 6); |v| has the slope 0 at v = 0."""
         if "damped_by_V" not in self._laws.names:  # of laws that read no speed
             return np.zeros((len(v), 6, 6))
-        return self._rate(v.T)[0].reshape(-1, 6, 6)
-
-    @cached_property
-    def _wrench(self) -> Arrays:
-        return self._arrays("damped", [{}])
-
-    @cached_property
-    def _rate(self) -> Arrays:
-        return self._arrays("damped_by_V", [{"d_V": e} for e in UNIT])
-
-    def _arrays(self, name: str, changes: Sequence[Mapping[str, Any]]) -> Arrays:
-        trace = Trace()
-        return self._laws.arrays(name, trace, changes, {"damper": self.damper, "V": trace.inputs(6)})
+        changes = {"damper": self.damper, "V": [*v.T], "d_V": [*UNIT[:, :, None]]}
+        return self._laws.slopes("damped_by_V", (6, len(v)), changes)
 
 
-def _pose() -> tuple[Trace, dict[str, Any]]:
-    """Inputs of the laws between E0 and the carrier by their names."""
-    trace = Trace()
-    inputs = {name: trace.inputs(size) for name, size in POSE.items()}
-    return trace, inputs | {"x": SimpleNamespace(**inputs)}
+def _pose(O1: Array, q: Array, C: Array, V: Array) -> dict[str, Any]:
+    """Inputs of the laws between E0 and the carrier by their names; the last axes of arrays are components."""
+    numbers = {"position": O1, "attitude": q, "V": V, "C": C.reshape(*V.shape[:-1], 9)}
+    inputs: dict[str, Any] = {name: [*np.moveaxis(x, -1, 0)] for name, x in numbers.items()}
+    return inputs | {"x": SimpleNamespace(**inputs)}
 
 
 def quaternions(C: Array) -> Array:

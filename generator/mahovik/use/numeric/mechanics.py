@@ -11,7 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
-from mahovik.core.lower.law_arrays import LawArrays, TwistLaws, law_arrays
+from mahovik.core.lower.law_arrays import LawArrays, TwistLaws
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.masses import pose, transfer
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
@@ -208,7 +208,7 @@ class Mechanics:
     @staticmethod
     def of(stand: Stand) -> Mechanics:
         """The mechanics of a stand."""
-        laws = law_arrays(stand)
+        laws = LawArrays(stand)
         tables = Tables.of(stand, laws)
         I = with_torque(np.transpose(tables.coupling, (0, 2, 1))[:, :, None, :], tables)
         S = freedom_twists(stand.hold)
