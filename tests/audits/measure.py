@@ -133,14 +133,14 @@ def _measure_free(audit: Audit, faults: bool) -> Outcome:
 
 
 def _components(audit: Audit, requests: list[Request]) -> dict[str, float]:
-    """Largest difference of each component of K V_r*, over the sum of magnitudes of its terms."""
+    """Largest difference of each component of K V*, over the sum of magnitudes of its terms."""
     differences: dict[str, float] = {}
     for request in requests:
         at = reference.pieces(audit.stand, request.state)
-        V_r_dot = at.V_r_dot(np.array(ask(audit, request)["V_dot"]))
+        V_dot = np.array(ask(audit, request)["V_dot"])
         rates = np.array(request.state.phi_ddot)
-        error = at.K @ V_r_dot + at.I @ rates + bias(at) - at.F
-        size = np.abs(at.K) @ np.abs(V_r_dot) + np.abs(at.I) @ np.abs(rates) + _size(at)
+        error = at.K @ V_dot + at.I @ rates + bias(at) - at.F
+        size = np.abs(at.K) @ np.abs(at.V_r_dot(V_dot)) + np.abs(at.I) @ np.abs(rates) + _size(at)
         rows = {letter: float(off) for letter, off in zip(WRENCH_LETTERS, np.abs(error) / size, strict=True)}
         for name, off in rows.items():
             differences[name] = max(differences.get(name, 0.0), off)

@@ -94,9 +94,8 @@ def log_of(
             add([f"u {name}" for name in freedom_names(hold)], u)
             add([f"u_dot {name}" for name in freedom_names(hold)], u_dot)
         else:
-            V_dot = at.V_dot(S @ u_dot) if hold is None else S @ u_dot
             add([f"{a}_{b}" for a in ("v", "omega") for b in "xyz"], state.V)
-            add([f"{a}_{b}" for a in ("v_dot", "omega_dot") for b in "xyz"], V_dot)
+            add([f"{a}_{b}" for a in ("v_dot", "omega_dot") for b in "xyz"], S @ u_dot)
         if hold is not None and by_freedoms and has_coordinates(hold):
             pose = coordinates_at(stand, state)
             add([f"q {freedom_names(hold)[k]}" for k in numbered_freedoms(hold)], pose.q)

@@ -97,9 +97,9 @@ transverse_inertia = 2.2e-4
 SLOW_STREAM = """
 schema = 1
 name = "held"
-stream = [-2, 0, 0]
-carrier = { mass = 30, inertia = [1, 1, 1], damping = { linear = [5, 5, 5, 1, 1, 1] } }
-hold = { freedoms = [] }
+stream = [{stream}, 0, 0]
+carrier = {{ mass = 30, inertia = [1, 1, 1], damping = {{ linear = [5, 5, 5, 1, 1, 1] }} }}
+hold = {{ freedoms = {freedoms} }}
 """
 VANISHING_REACH = """
 schema = 1
@@ -138,6 +138,7 @@ QUICK: dict[str, Case] = {
     "one flywheel": (lambda: RANDOM[1], "double"),
     "hinge, of given sines": (lambda: replace(random_held_stand("hinge", 3, DRY, 1), phase_input="sincos"), "double"),
     "a push on a flywheel": (lambda: loads(PUSHED), "double"),
+    "plane in a fast stream": (lambda: loads(SLOW_STREAM.format(stream=-20, freedoms=["x", "z", "pitch"])), "float"),
 }
 SLOW: dict[str, Case] = {
     "no flywheel": (lambda: RANDOM[0], "double"),
@@ -158,7 +159,7 @@ SLOW: dict[str, Case] = {
     "hinge, float": (lambda: random_held_stand("hinge", 9, WET, 4), "float"),
     "clamped, unreached": (lambda: loads(UNREACHED.format(hold="freedoms = []")), "double"),
     "plane, unreached": (lambda: loads(UNREACHED.format(hold="freedoms = ['x', 'y', 'yaw']")), "double"),
-    "clamped in a stream": (lambda: loads(SLOW_STREAM), "double"),
+    "clamped in a stream": (lambda: loads(SLOW_STREAM.format(stream=-2, freedoms="[]")), "double"),
     "slide with stops, no flywheel": (lambda: load(NET / "random44.toml"), "double"),
     "damping with a kink": (lambda: load(NET / "random01.toml"), "double"),
     "vanishing reach": (lambda: loads(VANISHING_REACH), "double"),

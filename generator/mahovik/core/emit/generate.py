@@ -131,6 +131,7 @@ class _Printer:
             held=self._layout.held,
             tasks=self._layout.structure.tasks,
             V=self._layout.twist,
+            stream=self._layout.stream,
             at_depth=" at the depth of O1" if self._layout.structure.stream_stations else "",
             enums=self._enums(),
             structs=self._code.structs(header_structs(self._program)),

@@ -21,12 +21,14 @@ STATE_STATUSES = ("OK", "NOT_FINITE", "RANGE")
 class Scene:
     """Inputs of the equations; None for those that the stand does not need.
 
-    C attitude; V relative to the stream; stream and g (gravity) in E1; sums over all bodies; own: wrenches of the
-    flywheels of their own, six numbers each; turns: sines and cosines of the phases.
+    C attitude; V the twist of (8), V_r that relative to the stream; stream, where V is V_r, and g (gravity) in E1; sums
+    over all bodies; own: wrenches of the flywheels of their own, six numbers each; turns: sines and cosines of the
+    phases.
     """
 
     C: Any
     V: Any
+    V_r: Any
     stream: Any
     g: Any
     sums: Any
@@ -101,7 +103,8 @@ def scene(lib: Library, table: Any, x: Any, attitude: bool = False, turns: Any =
     if layout.local_turning:
         own = reals(6 * int(layout.count))  # own wrenches of the flywheels, six numbers each
     sum_ = record(layout.sums)
-    return Scene(C, V, stream, g, sum_, own, turns or turns_of(lib, x))
+    of_drift = (V, V, stream) if layout.drifts else (x.V, V, None)
+    return Scene(C, *of_drift, g, sum_, own, turns or turns_of(lib, x))
 
 
 @inline
@@ -115,7 +118,7 @@ def external_wrench(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, F:
     """F of (7), or zero where the stand has none."""
     if lib.layout.wrenches:
         turns = seen.turns or (None, None)
-        lib["external"](table, x, *turns, seen.sums, seen.C, seen.V, seen.g, wrench, F, seen.own)
+        lib["external"](table, x, *turns, seen.sums, seen.C, seen.V_r, seen.g, wrench, F, seen.own)
     else:
         F[:] = [0] * 6
 
@@ -129,7 +132,7 @@ def drift_of(x: Any, stream: Any) -> Any:
 
 @inline
 def relative_rate(x: Any, V_dot: Any, stream: Any) -> Any:
-    """V_r_dot = V_dot + (omega x C^T stream, 0); V_dot itself where there is no stream."""
+    """V_r_dot = V_dot + (omega x C^T stream, 0) where (8) is of V_r, else V_dot itself."""
     if stream is None:
         return V_dot
     drift = drift_of(x, stream)
@@ -158,7 +161,7 @@ def all_turns(lib: Library, x: Any, turns: Any) -> Any:
 
 @inline
 def equations_along(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, phi_ddot: Any, y: Any) -> Any:
-    """P u_dot = y, (8) along the freedoms, without phi_ddot for phi_ddot = 0: P, and omega x C^T stream of a stream."""
+    """P u_dot = y, (8) along the freedoms, without phi_ddot for phi_ddot = 0: P, and omega x C^T stream."""
     if lib.layout.along:
         F = reals(6)  # wrench (7)
         along = record(lib.layout.along_sums)  # sums along the freedoms
@@ -184,7 +187,7 @@ def equations_along(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, ph
 
 @inline
 def from_stream(x: Any, seen: Any, V_dot: Any) -> None:
-    """V_dot = V_r_dot - (omega x C^T stream, 0), where there is a stream."""
+    """V_dot = V_r_dot - (omega x C^T stream, 0), where (8) is of V_r."""
     if seen.stream is not None:
         # V_dot = V_r_dot - (omega x C^T stream, 0)
         drift = drift_of(x, seen.stream)
@@ -264,7 +267,7 @@ def add_forward(lib: Library) -> None:
         """Acceleration of the carrier."""
         sine_and_cosine = () if sine is None else (sine, cosine)
         check_inputs(lib, table, x, phi_ddot, wrench, sine_and_cosine)
-        at_once = layout.held or not (layout.stream or layout.added_mass)  # V_dot is written last, after all is read
+        at_once = layout.held or not layout.added_mass  # V_dot is written last, after all is read
         written = V_dot if at_once else local("result", 6)
         u_dot_result = None
         if layout.freedoms:

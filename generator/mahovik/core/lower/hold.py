@@ -88,7 +88,7 @@ def add_hold(lib: Library) -> None:
         lib.add(sum_along(lib, steady=True))
         add_right_side(lib)
 
-    if layout.stream:
+    if layout.drifts:
 
         @lib.kernel()
         def subtract_drift(
@@ -98,11 +98,7 @@ def add_hold(lib: Library) -> None:
             F: Reals = changed("", 6, unit="N, N m"),
         ) -> None:
             """F less K (omega x C^T stream, 0)."""
-            if layout.added_mass:
-                F -= mass_times(lib, table, sum_, Vector([*drift, 0, 0, 0]))
-            else:
-                F[0:3] -= drift * table.mass
-                F[3:6] -= -cross(drift, sum_.mu)
+            F -= mass_times(lib, table, sum_, Vector([*drift, 0, 0, 0]))
 
     @lib.kernel()
     def react(

@@ -298,7 +298,7 @@ def change_by_speed(lib: Library, table: Any, at: System, slopes: Any, j: int) -
     held, wrench = lib.layout.held, has_changing_wrench(lib)
     d_V = change_of_twist(lib, table, j) if held or wrench else NOTHING
     if wrench:
-        at.call(lib, "external_by_V", d_V=d_V, d_F=at.R, d_own=at.d_own)
+        at.call(lib, "external_by_V", V=at.seen.V_r, d_V=d_V, d_F=at.R, d_own=at.d_own)
         for i in range(6):
             at.R[i] += dot(slopes[:, i], d_V) if held else slopes[j][i]
     elif held:
@@ -352,7 +352,8 @@ def change_by_phase(lib: Library, table: Any, at: System, slopes: Reals, s: int,
     if f"own_wrench_by_{by}" in lib:
         for k in range(len(lib.layout.local_bodies)):
             if table.frame[k].flywheel == s:
-                at.call(lib, f"own_wrench_by_{by}", frame=table.frame[k], d_F=at.R, d_own=at.d_own)
+                frame, V_r = table.frame[k], at.seen.V_r
+                at.call(lib, f"own_wrench_by_{by}", frame=frame, V=V_r, d_F=at.R, d_own=at.d_own)
         if changes_moments(lib, f"own_wrench_by_{by}"):
             changed = at.d_own[s * 6 + 3]
     if lib.layout.held:

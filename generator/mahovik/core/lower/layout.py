@@ -70,12 +70,12 @@ class Layout:
 
     @property
     def along(self) -> bool:
-        """The flywheels' terms are added up along the freedoms: few, closed, and V is S u, which a stream would change.
+        """The flywheels' terms are added up along the freedoms: few, closed, and (8) is of V = S u.
 
         Of more than three freedoms the projected sums are more numbers than those of six rows.
         """
         few = 0 < self.freedoms <= 3 and bool(self.flywheels)
-        return few and not self.stream and are_closed(self.ways)
+        return few and not self.drifts and are_closed(self.ways)
 
     @property
     def coordinates(self) -> bool:
@@ -99,8 +99,18 @@ class Layout:
         return self.structure.stream
 
     @property
+    def drifts(self) -> bool:
+        """(8) is of V_r, the twist relative to the stream; of rigid bodies alone it is of V, which keeps its digits."""
+        return self.stream and self.added_mass
+
+    @property
     def twist(self) -> str:
-        """The twist in (8): V_r is V relative to the stream."""
+        """The twist in (8)."""
+        return "V_r" if self.drifts else "V"
+
+    @property
+    def fluid_twist(self) -> str:
+        """The twist at which `matrices` are given: relative to the stream."""
         return "V_r" if self.stream else "V"
 
     @cached_property
@@ -750,12 +760,12 @@ class Layout:
         fields = [
             Field("K", REAL, (6, 6), "kg, kg m, kg m2", "mass matrix (2)"),
             Field("K_dot", REAL, (6, 6), "per s", "its rate (6)"),
-            Field("M", REAL, (6, 6), "per s", f"velocity matrix (9) at {self.twist}"),
+            Field("M", REAL, (6, 6), "per s", f"velocity matrix (9) at {self.fluid_twist}"),
         ]
         if self.flywheels:
             fields += [
                 Field("I", REAL, (6, self.count), "kg m, kg m2", "flywheel coupling (9), one column per flywheel"),
-                Field("J", REAL, (6, self.count), "per s", f"its velocity part (9) at {self.twist}"),
+                Field("J", REAL, (6, self.count), "per s", f"its velocity part (9) at {self.fluid_twist}"),
             ]
         fields.append(Field("F", REAL, (6,), "N, N m", "total external wrench (7)"))
         return Struct("matrices_result", "The matrices of (8).", tuple(fields))

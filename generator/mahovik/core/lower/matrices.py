@@ -49,7 +49,7 @@ def add_matrices(lib: Library) -> None:
             for i in list(range(6)):
                 out.M[i][j] = Phi_times(V, out.K[:, j])[i] + out.K_dot[i][j]
 
-    V, members = layout.twist, "K, K_dot, M, I_, J, F" if layout.flywheels else "K, K_dot, M, F"
+    V, members = layout.fluid_twist, "K, K_dot, M, I_, J, F" if layout.flywheels else "K, K_dot, M, F"
     purpose = f"The matrices of K {V}_dot + M {V} + I phi_ddot + J phi_dot = F at a state."
 
     @lib.kernel(equation="(2), (6)-(9)", purpose=purpose, statuses=STATE_STATUSES, public=True)
@@ -69,7 +69,7 @@ def add_matrices(lib: Library) -> None:
         # K (2) and its rate (6)
         out.K[:] = mass_matrix(lib, table, seen.sums)
         out.K_dot[:] = mass_matrix_rate(seen.sums)
-        velocity_matrix(seen.V, out)
+        velocity_matrix(seen.V_r, out)
         if layout.flywheels:
             column = reals(6)  # I_s
             rate = reals(6)  # dI_s / dphi
@@ -82,7 +82,7 @@ def add_matrices(lib: Library) -> None:
                 rate[3:6] = row.t_s * c_phi - row.t_c * s_phi
                 for i in list(range(6)):  # J_s = Phi I_s + (mu'', t') phi_dot
                     out.I[i][s] = column[i]
-                    out.J[i][s] = Phi_times(seen.V, column)[i] + rate[i] * x.phi_dot[s]
+                    out.J[i][s] = Phi_times(seen.V_r, column)[i] + rate[i] * x.phi_dot[s]
         return OK
 
 
@@ -101,7 +101,7 @@ def add_momentum(lib: Library) -> None:
         seen = scene(lib, table, x, attitude=True)
         sum_up(lib, table, x, seen, None)
         C, V, sums = seen.C, x.V, seen.sums
-        fluid = layout.stream and layout.added_mass
+        fluid = layout.drifts
         Z = reals(6)  # momentum screw (2)
         if fluid:
             Z[0:3] = momentum_of_bodies(table, sums, V)
@@ -118,7 +118,7 @@ def add_momentum(lib: Library) -> None:
                 spin += x.phi_dot[s] * (along + row.spin * x.phi_dot[s])
         energy: float = dot((*(0.5 * Z[3:6]), *(0.5 * Z[0:3]), 0.5), (*V[3:6], *V[0:3], spin))
         if fluid:
-            add_fluid(table, V, seen.V, Z, energy)
+            add_fluid(table, V, seen.V_r, Z, energy)
         out.Z[:] = Z
         # Z0 = L1 Z of (1)
         out.Z0[0:3] = C @ Z[0:3]

@@ -142,12 +142,12 @@ def add_regressor(lib: Library) -> None:
         a[:] = V_dot[3:6]
         w[:] = x.V[3:6]
         lib["body_columns"](d, a, w, out.Y_carrier)
-        relative = relative_rate(x, V_dot, seen.stream)
         if layout.added_mass:
+            relative = relative_rate(x, V_dot, seen.stream)
             lib["added_mass_columns"](seen.V, relative, out.Y_added_mass)
         for i in list(range(6)):
-            out.Y_linear[i] = seen.V[i]
-            out.Y_quadratic[i] = seen.V[i] * abs(seen.V[i])
+            out.Y_linear[i] = seen.V_r[i]
+            out.Y_quadratic[i] = seen.V_r[i] * abs(seen.V_r[i])
         if layout.flywheels:
             sine, cosine = seen.turns
             for s in range(layout.count):

@@ -19,8 +19,8 @@ from mahovik.core.derive import SYMMETRIC
 from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand, less, right_side, substitute
 from mahovik.core.lower.excess import at_most, bit, check_motor, refuse
-from mahovik.core.lower.flywheels import common_terms, couple_flywheel, turns_of
-from mahovik.core.lower.forward import STATE_STATUSES, relative_rate
+from mahovik.core.lower.flywheels import along, common_terms, couple_flywheel, turns_of
+from mahovik.core.lower.forward import STATE_STATUSES, drift_of
 from mahovik.core.lower.inverse import options_argument, wanted_argument
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import invert_symmetric, start_blocks
@@ -84,16 +84,18 @@ def add_torque_demand(lib: Library, turning: bool) -> None:
         start_blocks(lib, table, seen.sums, K)
         common = common_terms(lib, seen.V, seen.g)
         drive = record(layout.coupling)
+        drift = None if seen.stream is None else drift_of(x, seen.stream)
         for s in range(N):
             couple_flywheel(lib, table, s, seen, common, drive)
+            rate = at_rest(preferred[s], table.flywheel[s], drive.I, drift)
             spin = table.flywheel[s].spin
             if seen.own is None:
-                tau_0[s] = spin * preferred[s] + drive.bias
+                tau_0[s] = spin * rate + drive.bias
             else:
-                tau_0[s] = spin * preferred[s] + (drive.bias - seen.own[s * 6 + 3])
+                tau_0[s] = spin * rate + (drive.bias - seen.own[s * 6 + 3])
             work.scale[s] = table.flywheel[s].spin_root_inv
             if locked[s] == 0:
-                lib["eliminate"](drive.I, table.flywheel[s].spin_inv, preferred[s], K, F)
+                lib["eliminate"](drive.I, table.flywheel[s].spin_inv, rate, K, F)
             # a locked flywheel takes no part
             for i in range(6):
                 work.I[i][s] = drive.I[i] if locked[s] == 0 else 0.0
@@ -108,10 +110,11 @@ def add_torque_demand(lib: Library, turning: bool) -> None:
         else:
             still = reals(6)  # V_dot = 0
             still[:] = [0] * 6
-            moving = relative_rate(x, still, seen.stream)
+            if drift is not None:
+                still[0:3] = drift
             work.G[:] = Matrix([[element(K, i, j) for j in range(6)] for i in range(6)])
             for i in range(6):
-                work.b[i] = less(F[i], work.G[i], moving)
+                work.b[i] = less(F[i], work.G[i], still)
                 work.r[i] = work.b[i]
             lib["factor"](work)
             for s in range(N):
@@ -119,6 +122,11 @@ def add_torque_demand(lib: Library, turning: bool) -> None:
                     work.W[i][s] = work.I[i][s] * work.scale[s]
             substitute(lib, work, 6)
         return OK
+
+
+def at_rest(preferred: Any, row: Any, column: Any, drift: Any) -> Any:
+    """phi_ddot at V_r_dot = 0 under the torque that makes it `preferred` at V_dot = 0."""
+    return preferred if drift is None else preferred + along(column, [*drift, 0, 0, 0]) * row.spin_inv
 
 
 def element(K: Place, i: int, j: int) -> Place:

@@ -93,7 +93,7 @@ def flywheel_wrenches(lib: Library, table: Any, x: Any, seen: Any, wrench: Any) 
             for i in range(len(none)):
                 none[i] = 0
             run_time = none
-        local_wrenches(lib, table, x, seen.turns, seen.V, run_time, scratch, seen.own)
+        local_wrenches(lib, table, x, seen.turns, seen.V_r, run_time, scratch, seen.own)
 
 
 @inline

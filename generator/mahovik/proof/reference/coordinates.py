@@ -40,7 +40,7 @@ from mahovik.proof.reference.algebra import (
     vector,
     zero,
 )
-from mahovik.proof.reference.motion import answer_forward
+from mahovik.proof.reference.motion import answer_forward, bias
 from mahovik.proof.reference.pieces import Pieces, velocity_matrix
 
 SINGULAR = 1e-6
@@ -85,20 +85,18 @@ def check_attitude(sequence: Sequence, angles: Array) -> None:
 def _answer_free(at: Pieces, stand: Stand, state: State) -> Values:
     """A, D of (10), I0, J0 of (11) at V (6x6), q_dot and q_ddot (6; m, rad, s).
 
-    (10): V = A q', D = A'. (11): I0 q'' + J0 q' + I phi'' + J phi' = F, I0 = K A, J0 = K D + M A. With a stream (11) is
-    solved for q relative to the fluid: q' less (u, 0), M and J at V_r, the same q''. StateError for a quaternion, or
-    where A is singular.
+    (10): V = A q', D = A'. (11): I0 q'' + J0 q' + I phi'' + J phi' = F, I0 = K A, J0 = K D + M A. StateError for a
+    quaternion, or where A is singular.
     """
     if state.quaternion is not None:
         raise StateError("`generalized` needs `angles`, but the state has `quaternion`")
     angles = vector(state.angles or (0.0, 0.0, 0.0))
     check_attitude(stand.angles, angles)
     A = kinematic_matrix(stand.angles, angles)
-    q_dot, q_r_dot = solve(A, at.V), solve(A, at.V_r)
+    q_dot = solve(A, at.V)
     D = kinematic_matrix_rate(stand.angles, angles, q_dot[3:])
     I0, J0 = at.K @ A, at.K @ D + velocity_matrix(at.K, at.K_dot, at.V) @ A
-    J0_r = at.K @ D + at.M @ A
-    q_ddot = solve(I0, at.F - J0_r @ q_r_dot - at.I @ vector(state.phi_ddot) - at.J @ at.phi_dot)
+    q_ddot = solve(I0, at.F - at.K @ D @ q_dot - bias(at) - at.I @ vector(state.phi_ddot))
     return {"A": A, "D": D, "I0": I0, "J0": J0, "q_dot": q_dot, "q_ddot": q_ddot}
 
 

@@ -97,12 +97,12 @@ def inverse_root(S: Array) -> Array:
 
 
 def demand(at: Pieces, V_dot: Array) -> Array:
-    """I phi'' of (12): F - K V_r* - M V_r - J phi' (6; N, N m), for V_dot (6) relative to E0."""
-    return at.F - at.K @ at.V_r_dot(V_dot) - bias(at)
+    """I phi'' of (12): F - K V* - M V - J phi' (6; N, N m), for V_dot (6) relative to E0."""
+    return at.F - at.K @ V_dot - bias(at)
 
 
 def scaled_demand(at: Pieces, V_dot: Array) -> ScaledDemand:
-    """S^T I phi'' = S^T (F - K V_r* - M V_r - J phi') for V_dot (6) relative to E0, in the norm of (S^T K S)^-1."""
+    """S^T I phi'' = S^T (F - K V* - M V - J phi') for V_dot (6) relative to E0, in the norm of (S^T K S)^-1."""
     S = at.S
     return ScaledDemand(S.T @ at.I, S.T @ demand(at, V_dot), inverse_root(S.T @ at.K @ S), inverse_root(at.Theta_ff).T)
 
@@ -322,12 +322,12 @@ def task_of_state(at: Pieces, stand: Stand, state: State) -> tuple[TaskRows, Arr
 
 
 def scaled_task(at: Pieces, rows: TaskRows, demand: Array) -> ScaledDemand:
-    """S K^-1 I phi'' = S (K^-1 b - d) + s - a for the demand a (m), in the norm of G^-1, G = S K^-1 S^T.
+    """S K^-1 I phi'' = S K^-1 b + s - a for the demand a (m), in the norm of G^-1, G = S K^-1 S^T.
 
     G^-1/2 is R^-T of K^-1/2 S^T = Q R, which loses no digits to the squares in G.
     """
     to_motion = np.array([solve_symmetric(at.K, row) for row in rows.S])  # S K^-1
-    c = to_motion @ (at.F - bias(at)) - rows.S @ at.stream_rate + rows.s - demand
+    c = to_motion @ (at.F - bias(at)) + rows.s - demand
     R = np.asarray(np.linalg.qr(inverse_root(at.K) @ rows.S.T, mode="r"), dtype=np.float64)
     return ScaledDemand(to_motion @ at.I, c, np.asarray(np.linalg.inv(R.T)), inverse_root(at.Theta_ff).T)
 

@@ -1,8 +1,7 @@
 """The motion: forward (8), drive torques, all unknowns together, mount wrenches, reaction, and what points measure.
 
 A carrier moves as V = S u, S (6 x m) constant in E1; a free one as S = E. Its hold exerts a wrench R that does no work,
-S^T R = 0, so (8) holds along the freedoms: S^T (K (S u* + d) + M V_r + I phi'' + J phi') = S^T F, with the stream's
-d = (omega x C^T u, 0).
+S^T R = 0, so (8) holds along the freedoms: S^T (K S u* + M V + I phi'' + J phi') = S^T F.
 """
 
 from __future__ import annotations
@@ -27,12 +26,21 @@ from mahovik.proof.reference.algebra import (
     vector,
     wrench_to_parent,
 )
-from mahovik.proof.reference.pieces import Bodies, Pieces, instrument_transfer, mount_transfer
+from mahovik.proof.reference.pieces import (
+    Bodies,
+    Pieces,
+    coupling_bias,
+    instrument_transfer,
+    mount_transfer,
+    velocity_matrix,
+)
 
 
 def bias(at: Pieces) -> Array:
-    """M V + J phi' (6; N, N m) of (8): all velocity terms together. With a stream, at V_r."""
-    return at.M @ at.V_r + at.J @ at.phi_dot
+    """M V + J phi' (6; N, N m) of (8): all velocity terms together. With a stream, Lambda takes V_r and its rate."""
+    of_bodies = velocity_matrix(at.K_bodies, at.K_dot, at.V) @ at.V
+    of_fluid = at.Lambda @ at.stream_rate + Phi(at.V_r) @ at.Lambda @ at.V_r
+    return np.asarray(of_bodies + of_fluid + coupling_bias(at.bodies.flywheels, at.V) @ at.phi_dot)
 
 
 def forward(at: Pieces, phi_ddot: Array) -> Array:
@@ -41,11 +49,11 @@ def forward(at: Pieces, phi_ddot: Array) -> Array:
 
 
 def reaction(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
-    """R = K V_r* + M V_r + I phi'' + J phi' - F (6; N, N m): of a hold that makes the carrier move so, about O1.
+    """R = K V* + M V + I phi'' + J phi' - F (6; N, N m): of a hold that makes the carrier move so, about O1.
 
     What a force table under the carrier reads.
     """
-    return np.asarray(at.K @ at.V_r_dot(V_dot) + bias(at) + at.I @ phi_ddot - at.F)
+    return np.asarray(at.K @ V_dot + bias(at) + at.I @ phi_ddot - at.F)
 
 
 # Drive torque: what the mount's drive exerts on each flywheel about its spin axis e1.
@@ -90,31 +98,27 @@ def full_mass_matrix(at: Pieces) -> Array:
 def spin_up_torque(at: Pieces, tau: Array) -> Array:
     """tau - velocity terms + f^T P_s (N, N m): what is left of the drive torques tau (N) for the accelerations.
 
-    The velocity terms are f^T (-phi_s' Theta_s [<e>] Ls^T V + Phi(V_s) Theta_s V_s); with a stream, at V_r.
+    The velocity terms are f^T (-phi_s' Theta_s [<e>] Ls^T V + Phi(V_s) Theta_s V_s).
     """
     s = at.bodies.flywheels
-    return np.asarray(tau - mounts_on_flywheels(s, at.P_s, at.V_r, np.zeros(6), np.zeros(len(tau))) @ f)
+    return np.asarray(tau - mounts_on_flywheels(s, at.P_s, at.V, np.zeros(6), np.zeros(len(tau))) @ f)
 
 
 def rates(at: Pieces, tau: Array, phi_ddot: Array, free: Array) -> tuple[Array, Array]:
     """u* (m) and phi'' (N): of flywheels that are `free` (N, bool) by their torques tau, of the others as given.
 
-    S^T K S u* + S^T I phi'' = S^T (F - M V_r - J phi' - K d);
-    I^T S u* + Theta_ff phi'' = tau - velocity terms + f^T P_s - I^T d.
-
-    Solved for u* + S^T d, with d - S S^T d in the place of d: of a free carrier that is V_r*, and nothing is left of d.
+    S^T K S u* + S^T I phi'' = S^T (F - M V - J phi');
+    I^T S u* + Theta_ff phi'' = tau - velocity terms + f^T P_s.
     """
-    m, d = at.S.shape[1], at.stream_rate
-    moved = at.S.T @ d
-    d = d - at.S @ moved
-    right = at.S.T @ (at.F - bias(at) - at.K @ d - at.I @ np.where(free, 0.0, phi_ddot))
+    m = at.S.shape[1]
+    right = at.S.T @ (at.F - bias(at) - at.I @ np.where(free, 0.0, phi_ddot))
     if not np.any(free):
-        return solve_symmetric(at.S.T @ at.K @ at.S, right) - moved, phi_ddot
-    mass, right = full_mass_matrix(at), np.concatenate([right, spin_up_torque(at, tau) - at.I.T @ d])
+        return solve_symmetric(at.S.T @ at.K @ at.S, right), phi_ddot
+    mass, right = full_mass_matrix(at), np.concatenate([right, spin_up_torque(at, tau)])
     result = np.concatenate([np.zeros(m), phi_ddot]).astype(right.dtype)
     unknown = np.flatnonzero(np.concatenate([np.full(m, True), free]))
     result[unknown] = solve_symmetric(mass[np.ix_(unknown, unknown)], right[unknown])
-    return result[:m] - moved, result[m:]
+    return result[:m], result[m:]
 
 
 def coupled(at: Pieces, tau: Array, locked: Array | None = None) -> tuple[Array, Array]:

@@ -270,13 +270,9 @@ class Pieces:
         """V_r* = V* + (omega x C^T u, 0) (6)."""
         return V_dot + self.stream_rate
 
-    def V_dot(self, V_r_dot: Array) -> Array:
-        """V* = V_r* - (omega x C^T u, 0) (6): the stream, steady in E0, turns in E1."""
-        return V_r_dot - self.stream_rate
-
     @cached_property
     def stream_rate(self) -> Array:
-        """(omega x C^T u, 0) (6, m/s2)."""
+        """(omega x C^T u, 0) (6, m/s2): the stream, steady in E0, turns in E1."""
         return np.concatenate([cross(self.V[3:]) @ self.u, np.zeros(3)])
 
 

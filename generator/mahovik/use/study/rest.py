@@ -275,7 +275,7 @@ class _Search:
 
     def acceleration(self, at: Pieces) -> Array:
         """V_dot (6) by (8) with flywheels held."""
-        return at.V_dot(self.scale.T @ (self.scale @ (at.F - bias(at))))
+        return np.asarray(self.scale.T @ (self.scale @ (at.F - bias(at))))
 
     def tolerance(self, at: Pieces) -> Array:
         """Largest V_dot in equilibrium (6): AT_REST, or rounding of the balancing wrenches."""
