@@ -17,6 +17,8 @@ from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.model import rest_state
 from mahovik.core.stand.stand_file import dumps
 from mahovik.core.stand.summary import summarize
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.motion import forward
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import round_to_float
 from mahovik.proof.verify.scales import Scales
@@ -32,6 +34,7 @@ from mahovik.use.study.shortfalls import (
     shortfalls,
     states,
     task_shortfalls,
+    with_one_balanced,
 )
 from physics.general import rows
 from toolchain.quick import quick
@@ -73,6 +76,19 @@ def test_rounding_is_what_the_estimate_allows(stand: Stand) -> None:
                 assert measured is not None
                 off = np.abs(np.array(c.evaluate(state, [want])[key]) - measured.values[key])
                 assert (off <= FACTOR * UNIT * np.array(measured.scales[key])).all(), (want, motion)
+
+
+@pytest.mark.parametrize("stand", [HELD, load(path("auv6"))], ids=["held", "free"])
+def test_an_effect_is_what_balancing_of_that_flywheel_changes(stand: Stand) -> None:
+    """In a stream, with added mass."""
+    stand = replace(stand, stream=(0.5, -0.3, 0.2))
+    balanced = [balanced_flywheel(flywheel) for flywheel in stand.flywheels]
+    for state in (state for motion in MOTIONS for state in states(stand, [300.0] * len(balanced), motion)):
+        at, all_balanced = (pieces(s, state) for s in (stand, replace(stand, flywheels=tuple(balanced))))
+        for k, V_dot in enumerate(with_one_balanced(at, all_balanced)["forward"]):
+            wheels = (*stand.flywheels[:k], balanced[k], *stand.flywheels[k + 1 :])
+            expected = forward(pieces(replace(stand, flywheels=wheels), state), np.zeros(len(wheels)))
+            assert np.abs(V_dot - expected).max() <= 1e-12 * np.abs(expected).max()
 
 
 @pytest.mark.parametrize("hold", ["", '[hold]\nfreedoms = ["x", "roll"]\n'], ids=["free", "held"])

@@ -43,14 +43,12 @@ from mahovik.proof.reference.pieces import (
     center_of_mass,
     center_of_mass_velocity,
     coupling,
-    coupling_bias,
     kinetic_energy,
     mass_matrix,
     mass_matrix_rates,
     momentum,
     momentum_in_E0,
     stream_at,
-    velocity_matrix,
 )
 
 # -- the pieces at a state, and (7) ------------------------------------------------------------------------------------
@@ -81,9 +79,7 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
         Lambda=Lambda,
         K=K,
         K_dot=K_dot,
-        M=velocity_matrix(K, K_dot, V_r),
         I=coupling(s),
-        J=coupling_bias(s, V_r),
         terms=terms,
         P=P,
         F=times(k.L, stack(list(P.values()), 6)).sum(axis=0),  # (7)

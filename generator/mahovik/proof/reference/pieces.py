@@ -214,8 +214,8 @@ class Pieces:
     bodies       carrier, instruments, flywheels, with L, Theta, Lambda, phi, phi_dot
     K_bodies     6x6, (2) without added mass
     Lambda       6x6, added mass of all bodies
-    K, K_dot, M  6x6, (2), (6), (9); K = K_bodies + Lambda; M at V_r
-    I, J         6xN, (9); J at V_r
+    K, K_dot     6x6, (2), (6); K = K_bodies + Lambda
+    I            6xN, (9)
     terms        every wrench of (7) by body and kind, 6 each, in the body's frame about its origin
     P            their sum by body
     F            6, (7)
@@ -232,9 +232,7 @@ class Pieces:
     Lambda: Array
     K: Array
     K_dot: Array
-    M: Array
     I: Array
-    J: Array
     terms: Mapping[str, Kinds]
     P: Mapping[str, Array]
     F: Array
@@ -245,6 +243,16 @@ class Pieces:
     def phi_dot(self) -> Array:
         """Speeds of the flywheels (N, rad/s)."""
         return self.bodies.flywheels.phi_dot
+
+    @property
+    def M(self) -> Array:
+        """M at V_r (6x6), (9)."""
+        return velocity_matrix(self.K, self.K_dot, self.V_r)
+
+    @property
+    def J(self) -> Array:
+        """J at V_r (6xN), (9)."""
+        return coupling_bias(self.bodies.flywheels, self.V_r)
 
     @cached_property
     def Theta_ff(self) -> Array:

@@ -256,7 +256,7 @@ def _effects(scales: Scales, state: State, balanced: Stand, balanced_bodies: Bod
     effects = {}
     with np.errstate(all="ignore"):
         balanced_pieces = reference.pieces(balanced, state, balanced_bodies)
-        with_one_balanced = _with_one_balanced(scales.at(state), balanced_pieces)
+        changed = with_one_balanced(scales.at(state), balanced_pieces)
     for want, (key, _) in QUANTITIES.items():
         measured = scales.want(state, want)
         if measured is None:
@@ -265,7 +265,7 @@ def _effects(scales: Scales, state: State, balanced: Stand, balanced_bodies: Bod
         if want == "mounts":  # each by the accelerations given and its own flywheel
             balanced_values = np.array(reference.evaluate(balanced, state, [want], balanced_pieces)[key])
         else:
-            balanced_values = with_one_balanced[want]
+            balanced_values = changed[want]
         change = np.abs(balanced_values - value)
         sizes = np.broadcast_to(size, change.shape)
         at = np.argmax(change / np.maximum(sizes, 1e-300), axis=1)
@@ -275,7 +275,7 @@ def _effects(scales: Scales, state: State, balanced: Stand, balanced_bodies: Bod
     return effects
 
 
-def _with_one_balanced(at: Pieces, balanced: Pieces) -> dict[str, Array]:
+def with_one_balanced(at: Pieces, balanced: Pieces) -> dict[str, Array]:
     """V_dot of (8) and momentum (Nx6 each) with one flywheel after the other as in `balanced`, the rest as in `at`.
 
     Flywheels add up in K, K*, J phi' and F. None accelerates.
@@ -285,12 +285,12 @@ def _with_one_balanced(at: Pieces, balanced: Pieces) -> dict[str, Array]:
     K, K_dot = mass_matrices(change), mass_matrix_rates(change)
     turning = wheels.phi_dot[:, None]
     F = times(wheels.L, balanced.P_s - at.P_s)
-    changed_bias = times(velocity_matrix(K, K_dot, at.V_r), at.V_r) + coupling_bias(change, at.V_r).T * turning
+    changed_bias = times(velocity_matrix(K, K_dot, at.V), at.V) + coupling_bias(change, at.V).T * turning
     K_changed, pull = at.K + K, at.F - bias(at) + F - changed_bias
     mass = at.S.T @ K_changed @ at.S  # of u_dot, V_dot = S u_dot
     unit = 1.0 / np.sqrt(np.abs(np.diagonal(mass, axis1=1, axis2=2)))  # it is scaled to a unit diagonal
     scaled = mass * unit[:, :, None] * unit[:, None, :]
-    asked = unit * ((pull - K_changed @ at.stream_rate) @ at.S)
+    asked = unit * (pull @ at.S)
     u_dot = unit * np.linalg.solve(scaled, asked[..., None])[..., 0]
     return {
         "forward": u_dot @ at.S.T,
