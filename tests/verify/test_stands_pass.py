@@ -267,6 +267,18 @@ def test_what_flywheels_hardly_reach_leaves_the_rounding_of_what_they_reach_well
     assert [row for row in rows if row.verdict != "ok"] == []
 
 
+@pytest.mark.parametrize("hold", ['"x"', '"x", "roll"'])
+def test_an_answer_that_float_does_not_have_may_be_refused(hold: str) -> None:
+    """At a phase of 2e-38 the only singular value is subnormal, and phi_ddot 1e44."""
+    stand = loads(VANISHING_REACH.replace('"x"', hold))
+    states = draw(stand, 2, 40, "float")
+    rows = judge(stand, CBackend(stand, "float"), states, ("inverse",), LIMITS["float"])
+    assert [row for row in rows if row.verdict != "ok"] == []
+    unused = [(name, replace(state, phi=(2e-44,))) for name, state in states if name == "tiny 18"]
+    rows = judge(stand, CBackend(stand, "float"), unused, ("inverse",), LIMITS["float"])
+    assert {row.words for row in rows} == {"rounding decides a word of the answer"}
+
+
 @pytest.mark.parametrize(("real", "phi"), [("double", 1e-195), ("float", 1e-30)])
 def test_a_reach_whose_square_underflows_is_used(real: str, phi: float) -> None:
     """Along x, (8) of a stand at rest is m x'' = mu sin(phi) phi''."""

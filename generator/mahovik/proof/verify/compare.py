@@ -13,7 +13,6 @@ import numpy as np
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.contract.limits import Limits
 from mahovik.contract.status import STATUS_VALUES, status_words
-from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.proof.reference.algebra import Array
@@ -110,9 +109,6 @@ def ordinary(states: Sequence[tuple[str, State]], most: int) -> list[tuple[str, 
     """The first ordinary states."""
     return [(name, state) for name, state in states if name.startswith("random")][:most]
 
-
-LARGEST = {precision.name: float(precision.largest) for precision in (DOUBLE, FLOAT)}
-"""Largest number of an element type."""
 
 FAR_SIDES = (0.6, 1.6)
 """Parts of its bound at which a number is that decides a bit and is small in the arithmetic, so that rounding moves it:
@@ -269,10 +265,11 @@ class Rows:
         """Compare the answer to a want of `eval` at one state, but what is `left_out`, and the second derivation's.
 
         `answer`: None where the state was refused, for the reason in `words`. A reaction of accelerations that are out
-        of range is not compared: its function does not take them.
+        of range is not compared: its function does not take them. Nor is a refusal with RANGE where phi_ddot of
+        `inverse` is beyond the largest number of the element type: there the C may divide by what is too small.
         """
         measured = self._scales.want(request.state, self.function)
-        if measured is None:
+        if measured is None or (answer is None and "RANGE" in words and self._is_unbounded(measured)):
             return
         if self.function == "inverse" and not request.state.task and answer is not None:
             measured = self._reached(request.state, measured, answer)
@@ -304,10 +301,15 @@ class Rows:
         if due is not None and due != ("UNREACHABLE" in bits):
             self._by_rounding["status"] += 1
             bits ^= {"UNREACHABLE"}
-        if np.max(np.abs(measured.values["phi_ddot"]), initial=0.0) > LARGEST[self._scales.real]:
+        if self._is_unbounded(measured):
             bits |= {"LIMITED"}
         status = status_words(sum(STATUS_VALUES[bit] for bit in bits))
         return replace(measured, values={**measured.values, "status": status})
+
+    def _is_unbounded(self, measured: Measured) -> bool:
+        """Whether phi_ddot of `inverse` is beyond the largest number of the element type."""
+        most = np.max(np.abs(measured.values.get("phi_ddot", 0.0)), initial=0.0)
+        return self.function == "inverse" and bool(most > self._scales.precision.largest)
 
     def _differences(
         self, name: str, measured: Measured, answer: Mapping[str, Any] | None, suffix: str = "",

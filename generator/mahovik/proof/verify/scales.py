@@ -17,6 +17,7 @@ import numpy as np
 from mahovik.contract.limits import PERTURBATION, PERTURBATIONS, RESTING
 from mahovik.contract.quantities import BESIDE, FLOORS
 from mahovik.core.lower.limits import THRESHOLDS
+from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.random import random_state
 from mahovik.errors import StateError
@@ -61,6 +62,7 @@ class Scales:
 
     def __init__(self, stand: Stand, real: str = "double", seed: int = 0, neighbours: int = PERTURBATIONS) -> None:
         self.stand, self.real = stand, real
+        self.precision = FLOAT if real == "float" else DOUBLE
         threshold = THRESHOLDS[real]
         self.cuts = Cuts(threshold.rank, reached=threshold.unreachable)
         self._size, self._rng = PERTURBATION[real], np.random.default_rng(seed)
@@ -89,6 +91,10 @@ class Scales:
             return None
         if state.task:
             return measured
+        if want == "inverse" and (rank := measured.values["rank"]):
+            # a subnormal singular value has lost its digits, or is zero
+            lost = measured.values["sigma"][rank - 1] < self.precision.smallest
+            measured = replace(measured, undecided=measured.undecided or bool(lost))
         if want not in self._ordinary:
             self._ordinary[want] = self._ordinary_scales(want)
         return replace(measured, scales=_raised(measured.scales, self._ordinary[want]))
