@@ -66,6 +66,9 @@ SMOOTH, KINKED, RUNUP, DRIFT = 1e-6, 1e-5, 1e-5, 20
 a run-up. DRIFT: how often larger the drift of a floating carrier in a period may be than this share of its amplitude,
 as a constant residual of it moves the carrier (2 pi)^2 / 2 amplitudes."""
 
+OF_TABLE: Mapping[str, float] = {"double": 1e-6, "float": 1e-3}
+"""Largest relative residual that the C of a programme's table may add, by element type."""
+
 TABLE, JOINT, EXCEEDED = 0.03, 1e-6, 1 + 1e-9
 """Limits of the table of a programme. TABLE: difference of a row of phi', phi'' from what its neighbours predict, as a
 share of the peak. JOINT: jump where two courses meet, likewise, of phi in rad. EXCEEDED: value over bound, which leaves

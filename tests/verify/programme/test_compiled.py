@@ -11,17 +11,19 @@ import pytest
 from export import programmes
 from export.programmes import exported, motion, written
 from mahovik.errors import ToolchainError, UsageError
+from mahovik.out.export.programme import export_programme
 from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.files import Generate
 from mahovik.proof.verify.functions.table import verify_compiled
 from mahovik.proof.verify.programme.verification import ProgrammeCase
 from toolchain.quick import quick
 from verify.build import changed
 
 
-def judged(folder: Path, programme: str = "started") -> dict[str, Check]:
+def judged(folder: Path, programme: str = "started", generate: Generate | None = None) -> dict[str, Check]:
     """Checks of the C in a folder by their names."""
     stand, built = programmes.stand(), getattr(programmes, programme)()
-    report = verify_compiled(stand, ProgrammeCase.of(stand, motion(), built), folder)
+    report = verify_compiled(stand, ProgrammeCase.of(stand, motion(), built), folder, generate=generate)
     return {item.quantity: item for item in report}
 
 
@@ -73,6 +75,24 @@ def test_a_planted_fault_fails_by_its_row(
     source = written(exported(programme), tmp_path)
     source.write_text(change(source.read_text()))
     assert failed <= {name for name, item in judged(tmp_path, programme).items() if item.failed}
+
+
+@pytest.mark.parametrize(("column", "failed"), [("tau", "torque"), ("phi_ddot", "acceleration")])
+def test_a_number_of_a_run_up_fails_where_it_is_wrong(column: str, failed: str, tmp_path: Path) -> None:
+    source = written(export_programme(programmes.stand(), programmes.started(), motion()), tmp_path)
+    assert not any(item.failed for item in judged(tmp_path).values())
+    before, table, after = source.read_text().partition("shaker2_programme_runup_table_values =")
+    source.write_text(before + table + re.sub(rf"(\.{column} = {{ )[^,]+", r"\g<1>0.01", after, count=1))
+    assert f"C runup_at {failed}" in {name for name, item in judged(tmp_path).items() if item.failed}
+
+
+def test_limits_do_not_come_from_the_folder(tmp_path: Path) -> None:
+    source = written(exported("spin"), tmp_path)
+    before, facts = judged(tmp_path, "spin"), source.with_suffix(".json")
+    facts.write_text(re.sub(r'("(?:limit|phi|phi_dot|relative|tau)"): [^,]+', r"\1: 1.0", facts.read_text()))
+    after = judged(tmp_path, "spin", lambda real, kind, torques: exported("spin", kind, real).files)
+    assert {name: item.limit for name, item in after.items()} == {name: item.limit for name, item in before.items()}
+    assert "edited by hand after mahovik 0.1.0 wrote it: shaker2_programme.json" in after["text = as generated"].words
 
 
 def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> None:

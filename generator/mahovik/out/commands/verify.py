@@ -224,13 +224,14 @@ def _servo(
 
 
 def _generate(
-    stand: Stand, course: Programme, motion: RequiredMotion, servo: Servo | None, name: str, real: str, kind: str
-) -> Mapping[str, str]:
+    stand: Stand, course: Programme, motion: RequiredMotion, servo: Servo | None, name: str, real: str, kind: str,
+    torques: bool,
+) -> Mapping[str, str]:  # fmt: skip
     """The C of a programme, or of its servo, as this version generates it, with tables of a kind."""
     if servo is None:
         from mahovik.out.export.programme import export_programme
 
-        return export_programme(stand, course, motion, kind, real=real, called=name).files
+        return export_programme(stand, course, motion if torques else None, kind, real=real, called=name).files
     from mahovik.out.export.servo import export_servo
 
     return export_servo(stand, course, motion, servo, real, kind, called=name).servo

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from math import inf
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.contract.limits import OF_TABLE
 from mahovik.core.emit.delivered import manifest_there, manifests_beside
 from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.manifest import digest, read_header
@@ -30,8 +32,7 @@ from mahovik.core.stand.fields import name_problem
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities, structure
 from mahovik.errors import CheckError, StateError, UsageError
-from mahovik.proof.verify.programme.compiled import spread_phases
-from mahovik.proof.verify.programme.mechanics import torques_along
+from mahovik.proof.verify.programme.compiled import deviations_of, spread_phases
 from mahovik.proof.verify.programme.verification import (
     ProgrammeCase,
     bound_checks,
@@ -40,9 +41,6 @@ from mahovik.proof.verify.programme.verification import (
     stand_check,
     tolerance_for,
 )
-
-LIMITS = {"double": 1e-6, "float": 1e-3}
-"""Largest relative residual that a table may add."""
 
 NODES = {"double": 256, "float": 64}
 """Default number of nodes per period of a quintic table."""
@@ -104,9 +102,9 @@ def export_programme(
         raise CheckError(f"{source}: exceeds its bounds: {'; '.join(over)}: plan again; nothing was written")
     if kind == "fourier" and not programme.periodic:
         raise UsageError(f"{source}: a finite programme: a Fourier table needs a periodic one; give table=quintic")
-    count, most = nodes or NODES[real], LIMITS[real] if limit is None else limit
+    count, most = nodes or NODES[real], OF_TABLE[real] if limit is None else limit
     if not 0 < most < inf:
-        raise UsageError(f"limit {most:g}: expected a number above 0, such as {LIMITS[real]:g}")
+        raise UsageError(f"limit {most:g}: expected a number above 0, such as {OF_TABLE[real]:g}")
     layout = Layout(structure(stand), PRECISIONS[real])
     if called != "programme":
         check_name(stand, layout, called)
@@ -200,7 +198,7 @@ def _exceeded_bounds(stand: Stand, programme: Programme, motion: RequiredMotion 
 
 def _course(programme: Programme, layout: Layout, prescribed: ProgrammeCase | None, kind: str, count: int) -> Table:
     """The table of the programme itself."""
-    torques: Torques | None = None if prescribed is None else lambda t: prescribed.equations(t)[1]
+    torques = None if prescribed is None else partial(prescribed.torques, "")
     if kind == "fourier":
         return fourier_table(programme, layout.count, torques, layout.precision.name)
     form = Form("", "quintic", count, programme.periodic, torques is not None, layout.count)
@@ -237,13 +235,13 @@ def _with_torques(table: Table, finite: RunUpTable, prescribed: ProgrammeCase | 
     """A run-up or run-down with drive torques, for a carrier that moves freely meanwhile."""
     if prescribed is None:
         return table
-    carrier, up = prescribed, table.form.part == "runup"
+    carrier, part = prescribed, table.form.part
 
     def torques(t: Array) -> Array:
         try:
-            return free_torques(carrier, finite, up, t)
+            return carrier.torques(part, t)
         except StateError as error:
-            raise CheckError(f"{source}: {table.form.part}: {error}; nothing was written") from None
+            raise CheckError(f"{source}: {part}: {error}; nothing was written") from None
 
     form = replace(table.form, torque=True)
     return quintic_table(form, finite.at, finite.duration, (0,) * int(form.count), torques)
@@ -446,21 +444,6 @@ def _in_half_a_turn(phi: Array) -> Array:
     return phi - 2 * np.pi * np.round(phi / (2 * np.pi))
 
 
-STEP_ERROR = 1e-7
-"""Error per step of the simulated run-up, in amplitudes: enough for feedforward torques."""
-
-
-def free_torques(case: ProgrammeCase, table: RunUpTable, up: bool, t: Array) -> Array:
-    """Drive torques (M, N; N m) of a run-up, or run-down, at rising times t (M, s).
-
-    The carrier is free: (8) from rest at its equilibrium, or from the required state at t = 0. StateError: there is
-    no equilibrium, or the simulation stops.
-    """
-    times = np.unique(np.concatenate([[0.0], t]))
-    y = case.run_up("run-up" if up else "run-down", times, 8, STEP_ERROR)
-    return torques_along(case.stand, y[np.searchsorted(times, t)], table.at(t))
-
-
 POINTS = 1024
 """Times at which a table is compared."""
 
@@ -473,8 +456,7 @@ class Errors:
     """Largest differences between a table and its programme.
 
     phi, phi_dot, phi_ddot   rad, s
-    relative   of phi'' + phi'^2, the force of an unbalance, with the angle's error turning this force; relative to its
-               largest value
+    relative   of the force of an unbalance, over its largest
     tau, tau_peak   of the drive torques, and the largest torque, N m; None without torques
     given, added    relative residual of the programme, and the part added by the table; None for a run-up, or without a
                     motion
@@ -503,21 +485,15 @@ def errors(
     t = phases * table.span
     played = player.many(course, list(phases))
     truth = table.at(t)
-    angle = played["phi"] - truth.phi
-    angle -= 2 * np.pi * np.round(angle / (2 * np.pi))
-    speed, acceleration = played["phi_dot"] - truth.phi_dot, played["phi_ddot"] - truth.phi_ddot
-    force = np.hypot(truth.phi_ddot, truth.phi_dot**2)
-    wrong = np.abs(acceleration) + 2 * np.abs(truth.phi_dot * speed) + force * np.abs(angle)
-    largest, fastest, hardest = (float(np.max(np.abs(array))) for array in (angle, speed, acceleration))
-    relative = float(np.max(wrong)) / max(float(np.max(force)), np.finfo(np.float64).tiny)
+    of_angles = deviations_of(Angles(*(played[name] for name in Angles._fields)), truth)
     if table.torques is None:
-        return Errors(largest, fastest, hardest, relative)
+        return Errors(*of_angles)
     some = np.linspace(0, POINTS - 1, WRENCHES).astype(int)
     tau = table.torques(t[some])
     wrong_tau, peak = float(np.max(np.abs(played["tau"][some] - tau))), float(np.max(np.abs(tau)))
     if prescribed is None:
-        return Errors(largest, fastest, hardest, relative, wrong_tau, peak)
+        return Errors(*of_angles, wrong_tau, peak)
     exact, tabled = Angles(*(array[some] for array in truth)), Angles(*(played[name][some] for name in Angles._fields))
     R, added = (prescribed.equations(t[some], angles)[0] for angles in (exact, tabled))
     shares = (float(np.max(prescribed.scale.wrench_share(wrench))) for wrench in (R, added - R))
-    return Errors(largest, fastest, hardest, relative, wrong_tau, peak, *shares)
+    return Errors(*of_angles, wrong_tau, peak, *shares)

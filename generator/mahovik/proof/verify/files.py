@@ -40,8 +40,8 @@ JUDGED_APART = "what it does is judged by `verify` with programme and motion, or
 
 BY_HAND = "edited by hand"
 
-Generate = Callable[[str, str], Mapping[str, str]]
-"""Makes the files that this version generates, of an element type and a kind of table."""
+Generate = Callable[[str, str, bool], Mapping[str, str]]
+"""Makes the files that this version generates, of an element type and a kind of table, with or without torques."""
 
 SHOWN = 6
 """Names that a line lists; the rest are counted."""
@@ -134,17 +134,16 @@ def text_row(folder: Path, name: str, expected: Mapping[str, str], manifest: str
     return row
 
 
-def check_text_beside(stand: Stand, folder: Path, manifest: str, programme: str, generate: Generate | None) -> Check:
-    """Row: the files of a programme or servo in a folder are as their `manifest` lists them.
+def text_of_servo(stand: Stand, folder: Path, manifest: str, programme: str, generate: Generate | None) -> Check:
+    """Row: the files of a servo in a folder are as their `manifest` lists them.
 
-    `programme`: its name in C; `generate`: tells the functions that differ.
+    `programme`: name of its programme in C; `generate`: tells the functions that differ.
     """
     row, origin = text_row(folder, stand.name, {}, manifest), manifest_there(folder, manifest)
     if row.verdict == "ok" or generate is None or origin is None:
         return row
     try:
-        kind = origin["tables"][0]["kind"] if "tables" in origin else "quintic"
-        return text_row(folder, f"{stand.name}(?:_{programme})?", generate(origin["real"], kind), manifest)
+        return text_row(folder, f"{stand.name}(?:_{programme})?", generate(origin["real"], "quintic", True), manifest)
     except MahovikError:  # it cannot be generated any more
         return row
 

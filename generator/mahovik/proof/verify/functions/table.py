@@ -28,7 +28,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.verify.check import Check, Report, report
 from mahovik.proof.verify.compare import Case, Rows
-from mahovik.proof.verify.files import Generate, check_text_beside
+from mahovik.proof.verify.files import Generate, text_of_servo, text_row
 from mahovik.proof.verify.functions import integration, optimality, value
 from mahovik.proof.verify.programme import compiled as programmes
 from mahovik.proof.verify.programme.verification import ProgrammeCase, motion_check, stand_check
@@ -132,12 +132,12 @@ def verify_compiled(
 
     Raises UsageError, ToolchainError: the folder has no such C, or it does not compile.
     """
-    rows = tuple(
-        function_checks(programmes.CompiledProgramme(case, programmes.load_part(stand, folder, "programme", name)))
-    )
+    made = programmes.load_part(stand, folder, "programme", name, generate)
+    rows = tuple(function_checks(programmes.CompiledProgramme(case, made)))
     for row in rows:
         row.quantity = f"C {row.judged} {row.quantity}" if row.judged else f"C {row.quantity}"
-    return (*rows, check_text_beside(stand, folder, f"{stand.name}_{name}.json", name, generate))
+    manifest = f"{stand.name}_{name}.json"
+    return (*rows, text_row(folder, f"{stand.name}(?:_{name})?", made.written, manifest))
 
 
 def verify_servo(
@@ -172,6 +172,6 @@ def verify_servo(
     made = programmes.load_part(stand, folder, "servo", name)
     case = servos.ServoCase(stand, servo, made, seed, count, motion, programme)
     manifest = f"{stand.name}_servo.json" if name == "programme" else f"{stand.name}_{name}_servo.json"
-    text = check_text_beside(stand, folder, manifest, name, generate)
+    text = text_of_servo(stand, folder, manifest, name, generate)
     rows = (*table_checks(case), *function_checks(case), text)
     return report(stand, f"servo {servo.name}", seed, count, LIMITS[made.real].law, rows)

@@ -6,30 +6,30 @@ Functions of servos by their laws; tables of a programme by its file and (12), i
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path as FilePath
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 
-from mahovik.contract.limits import LIMITS, Limits
+from mahovik.contract.limits import LIMITS, OF_TABLE, Limits
 from mahovik.contract.status import status_words
+from mahovik.core.emit.manifest import read_header
 from mahovik.core.motion.functions import Angles
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities
 from mahovik.core.toolchain.library import Library
-from mahovik.errors import StateError, UsageError
+from mahovik.errors import MahovikError, StateError, UsageError
 from mahovik.proof.reference.algebra import Array, Values
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Rows
+from mahovik.proof.verify.files import Generate
 from mahovik.proof.verify.programme.mechanics import largest
+from mahovik.proof.verify.programme.verification import TORQUES_ERROR, ProgrammeCase
 from mahovik.proof.verify.refusals import NOTHING, NULL, Numbers, WrongValue, demand_refusals, wrong_within
-
-if TYPE_CHECKING:
-    from mahovik.proof.verify.programme.verification import ProgrammeCase
 
 UNCHECKED = frozenset(("gains", "design", "invalid", "sum", "wanted", "present"))
 """Arguments and members that no function checks: a program has them in its text, or made them itself."""
@@ -39,14 +39,19 @@ UNCHECKED = frozenset(("gains", "design", "invalid", "sum", "wanted", "present")
 class Part:
     """C of a programme or servo in a folder, loaded; of a programme what the folder's JSON file says.
 
-    limit   what its tables may add to the residual
-    errors  measured errors of each table, by its part
+    tables   kind, number of rows and measured errors of each table, by its part
+    written  files that this version writes in its place, whose errors these are; none where it cannot
     """
 
     library: Library
     real: str
-    limit: float
-    errors: Mapping[str, Mapping[str, float]]
+    tables: Mapping[str, Mapping[str, Any]]
+    written: Mapping[str, str]
+
+    @property
+    def limit(self) -> float:
+        """What its tables may add to the residual."""
+        return OF_TABLE[self.real]
 
     @property
     def numbers(self) -> np.finfo[Any]:
@@ -78,7 +83,9 @@ class Part:
         return status, result | result.pop("state", {})
 
 
-def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"], name: str) -> Part:
+def load_part(
+    stand: Stand, folder: FilePath, kind: Literal["programme", "servo"], name: str, generate: Generate | None = None
+) -> Part:
     """Compiles the programme `name` of a folder, or its servo.
 
     Raises UsageError: no such files, or of another stand; ToolchainError: no compiler, or it refuses the C.
@@ -94,9 +101,10 @@ def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"
             raise UsageError(f"{path}: not there; expected what `mahovik {command} -o {folder}` writes")
     try:
         document = json.loads(manifest.read_text(encoding="utf-8"))
-        physics, real, limit = str(document["physics"]), document["real"], float(document.get("limit", 0.0))
-        errors = {table["part"]: dict(table["errors"]) for table in document.get("tables", ())}
-        readable = real in ("float", "double") and 0.0 <= limit < math.inf and (kind == "servo" or "limit" in document)
+        physics, real, mechanical = str(document["physics"]), document["real"], read_header(folder, stand.name)
+        tables = _tables(document)
+        readable = real in OF_TABLE and mechanical is not None and mechanical.real == real
+        readable = readable and (kind == "servo" or tables["programme"]["kind"] in ("quintic", "fourier"))
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         readable = False
     if not readable:
@@ -104,7 +112,18 @@ def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"
     if physics != identities(stand).physics:
         expected = f"expected {identities(stand).physics} of the stand {stand.name}"
         raise UsageError(f"{manifest}: its physics is {physics}, {expected}: generate the {kind} again")
-    return Part(Library(source, stand.name, programme), real, limit, errors)
+    written: Mapping[str, str] = {}
+    if generate is not None:
+        with suppress(MahovikError):  # it cannot be generated any more
+            written = generate(real, tables["programme"]["kind"], "tau" in tables["programme"])
+            tables = _tables(json.loads(written[manifest.name]))
+    return Part(Library(source, stand.name, programme), real, tables, written)
+
+
+def _tables(document: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Kind, rows and errors of the tables of a manifest, by their parts."""
+    listed = document.get("tables", ())
+    return {table["part"]: {"kind": table["kind"], "rows": int(table["rows"]), **table["errors"]} for table in listed}
 
 
 def judge_law(
@@ -147,8 +166,20 @@ def spread_phases(count: int) -> Array:
     return np.sort((np.arange(1.0, count + 1.0) * (np.sqrt(5.0) - 1.0) / 2.0) % 1.0)
 
 
+def deviations_of(angles: Angles, exact: Angles) -> tuple[float, float, float, float]:
+    """Largest errors of phi, phi', phi'' (M, N each), and together: of phi'' + phi'^2, the force of an unbalance, with
+    the angle's error turning this force; relative to its largest value.
+    """
+    turned, speed, acceleration = (ours - theirs for ours, theirs in zip(angles, exact, strict=True))
+    turned -= 2 * np.pi * np.round(turned / (2 * np.pi))
+    force = np.hypot(exact.phi_ddot, exact.phi_dot**2)
+    wrong = np.abs(acceleration) + 2 * np.abs(exact.phi_dot * speed) + force * np.abs(turned)
+    relative = largest(wrong) / max(largest(force), np.finfo(np.float64).tiny)
+    return largest(turned), largest(speed), largest(acceleration), relative
+
+
 PHASES = 400
-"""Phases at which a table is compared."""
+"""Least number of phases at which a table is compared; two for each of its rows."""
 
 MEASURED = 8.0
 """Factor on the errors that were measured when the table was made, for other times and rounding."""
@@ -204,12 +235,14 @@ class CompiledProgramme:
 
 
 def judge_table(compiled: CompiledProgramme, rows: Rows) -> None:
-    """Angles and speeds of a table against the programme's file; of the programme the residual and drive torques."""
+    """Angles and drive torques of a table against the programme's file; of the programme the residual."""
     case, made, function = compiled.case, compiled.made, rows.function
+    table = "programme" if function == "at" else function.removesuffix("_at")
+    measured = made.tables.get(table, made.tables["programme"])
     is_cyclic = function == "at" and case.programme.periodic
     judge_refusals(made, rows, compiled.inputs(function), {"phase": (1.0,)} if is_cyclic else NOTHING)
     (at, span), last = compiled.tables[function], 1.0 - made.numbers.epsneg if is_cyclic else 1.0
-    phases = np.array([0.0, *made.round(spread_phases(PHASES - 2)), last])
+    phases = np.array([0.0, *made.round(spread_phases(max(PHASES, 2 * measured["rows"]) - 2)), last])
     t, exact = phases * span, at(phases * span)
     answers = [made.call(function, compiled.inputs(function, phase)) for phase in phases]
     if (status := min(status for status, _ in answers)) < 0:
@@ -217,26 +250,28 @@ def judge_table(compiled: CompiledProgramme, rows: Rows) -> None:
         return
     columns = {name: np.array([answer[name] for _, answer in answers]) for name in answers[0][1]}
     angles = Angles(columns["phi"], columns["phi_dot"], columns["phi_ddot"])
-    turned, speed = angles.phi - exact.phi, largest(exact.phi_dot) or 1.0
-    turned -= 2 * np.pi * np.round(turned / (2 * np.pi))
-    value = max(largest(turned), largest(angles.phi_dot - exact.phi_dot) / speed)
-    words = f"angles, rad, and speeds, share of the largest, at {PHASES} times, against the programme's file"
-    measured = made.errors["programme" if function == "at" else function.removesuffix("_at")]
+    speed, way = largest(exact.phi_dot) or 1.0, "" if function == "at" else f"{function} "
+    phi, phi_dot, _, together = deviations_of(angles, exact)
 
-    def most(error: float) -> float:
-        return min(made.limit, MEASURED * max(error, float(made.numbers.eps)))
+    def compare(name: str, value: float, error: float, words: str, most: float = np.inf) -> None:
+        rows.add(Check.of(name, value, min(most, MEASURED * max(error, float(made.numbers.eps))), words))
 
-    rows.add(Check.of(function, value, most(max(measured["phi"], measured["phi_dot"] / speed)), words))
+    words = f"angles, rad, and speeds, share of the largest, at {len(t)} times, against the programme's file"
+    error = max(measured["phi"], measured["phi_dot"] / speed)
+    compare(function, max(phi, phi_dot / speed), error, words, made.limit)
+    words = "accelerations of the flywheels, share of the largest, with that of their speeds"
+    compare(f"{way}acceleration", together, measured["relative"], words)
     if function == "at":
         shares = case.scale.wrench_share(case.equations(t, angles)[0])
         i = int(np.argmax(shares))
-        words = f"of (12) with the C's angles, at {PHASES} times; largest at t = {t[i]:.6g} s"
+        words = f"of (12) with the C's angles, at {len(t)} times; largest at t = {t[i]:.6g} s"
         rows.add(Check.of("residual", shares[i], case.limit.residual + made.limit, words))
-        if "tau" in columns:
-            tau = case.equations(t)[1]
-            peak = largest(tau) or 1.0
-            words = f"drive torques, share of the largest, {peak:.3g} N m"
-            rows.add(Check.of("torque", largest(columns["tau"] - tau) / peak, most(measured["tau"] / peak), words))
+    if "tau" in columns:
+        tau = case.torques("" if function == "at" else table, t)
+        peak = largest(tau) or 1.0
+        error = max(measured.get("tau", 0.0) / peak, TORQUES_ERROR if way else 0.0)
+        words = f"drive torques, share of the largest, {peak:.3g} N m"
+        compare(f"{way}torque", largest(columns["tau"] - tau) / peak, error, words, np.inf if way else made.limit)
 
 
 def judge_clock(compiled: CompiledProgramme, rows: Rows) -> None:

@@ -52,6 +52,9 @@ FINER, OFFSET, FINER_ANGLES, OF_WAVE = 20, 0.382, 8, 32
 that no node is a point of it; for angles, which are cheap, so many times as many; rows of the table that a Fourier
 series is judged as, in a period of its highest harmonic."""
 
+STEPS_OF_TORQUES, TORQUES_ERROR = 8, 1e-7
+"""Steps of a run-up in a period, and the error of one over the amplitude: enough for feedforward torques."""
+
 STEPS_OF_SPAN, STEPS_OF_RUNUP, RUNUP_ERROR = 32, 24, 1e-8
 """Least number of steps in a span, and of a run-up in a period: the error estimate of a step misses jumps of phi's
 third derivative at rows. Error of a step of a run-up over the amplitude: its end has a wider tolerance."""
@@ -330,6 +333,19 @@ class ProgrammeCase:
             start = np.concatenate([rest, np.zeros_like(rest)])
         longest = min(self.programme.span, table.duration) / steps
         return simulate(self.stand, table.at, start, t, self.scale, longest, error=error, rows=rows)
+
+    def torques(self, part: str, t: Array) -> Array:
+        """Drive torques (M, N; N m) at rising times t (M, s) of the programme, "", or of its "runup" or "rundown".
+
+        On these the carrier is free: see `run_up`.
+        """
+        if not part:
+            return self.equations(t)[1]
+        table, name = (self.programme.runup, "run-up") if part == "runup" else (self.programme.rundown, "run-down")
+        assert table is not None
+        times = np.unique(np.concatenate([[0.0], t]))
+        y = self.run_up(name, times, STEPS_OF_TORQUES, TORQUES_ERROR)
+        return torques_along(self.stand, y[np.searchsorted(times, t)], table.at(t))
 
     def runups(self) -> list[Check]:
         """Checks of run-up and run-down: rows, joint with the programme, rest at the other end, end of the carrier."""
