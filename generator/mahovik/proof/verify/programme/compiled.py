@@ -17,7 +17,6 @@ import numpy as np
 
 from mahovik.contract.limits import LIMITS, OF_TABLE, Limits
 from mahovik.contract.status import status_words
-from mahovik.core.emit.manifest import read_header
 from mahovik.core.motion.functions import Angles
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities
@@ -101,9 +100,8 @@ def load_part(
             raise UsageError(f"{path}: not there; expected what `mahovik {command} -o {folder}` writes")
     try:
         document = json.loads(manifest.read_text(encoding="utf-8"))
-        physics, real, mechanical = str(document["physics"]), document["real"], read_header(folder, stand.name)
+        physics, readable = str(document["physics"]), document["real"] in OF_TABLE
         tables = _tables(document)
-        readable = real in OF_TABLE and mechanical is not None and mechanical.real == real
         readable = readable and (kind == "servo" or tables["programme"]["kind"] in ("quintic", "fourier"))
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         readable = False
@@ -112,12 +110,13 @@ def load_part(
     if physics != identities(stand).physics:
         expected = f"expected {identities(stand).physics} of the stand {stand.name}"
         raise UsageError(f"{manifest}: its physics is {physics}, {expected}: generate the {kind} again")
-    written: Mapping[str, str] = {}
+    library, written = Library(source, stand.name, programme), dict[str, str]()
+    real = "float" if library.ffi.sizeof(f"{stand.name}_real") == 4 else "double"
     if generate is not None:
         with suppress(MahovikError):  # it cannot be generated any more
-            written = generate(real, tables["programme"]["kind"], "tau" in tables["programme"])
+            written |= generate(real, tables["programme"]["kind"], "tau" in tables["programme"])
             tables = _tables(json.loads(written[manifest.name]))
-    return Part(Library(source, stand.name, programme), real, tables, written)
+    return Part(library, real, tables, written)
 
 
 def _tables(document: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
