@@ -176,6 +176,13 @@ def test_a_pattern_sets_all_that_it_matches() -> None:
     assert changed == held_stand().replace({**both, "other.position": [1e-3] * 3})
 
 
+def test_places_are_those_of_the_file_while_items_are_taken_away() -> None:
+    bench8 = mahovik.example("bench8")
+    assert not bench8.replace({"w*": None}).flywheels
+    left = bench8.replace({"flywheel[0]": None, "flywheel[2]": None, "flywheel[3].mass": 2.0}).flywheels
+    assert [(wheel.name, wheel.mass == 2.0) for wheel in left[:3]] == [("w2", False), ("w4", True), ("w5", False)]
+
+
 def test_a_pattern_matches_bodies_first_and_no_tables() -> None:
     """Points and parts of laws are matched where no body may have the key, tables without a name never."""
     wing = {"name": "wing", "position": [0, 0, 1], "density": 1.2, "area": 0.1, "lift_slope": 3.0}

@@ -108,12 +108,16 @@ def put(document: dict[str, Any], changes: Mapping[str, Any]) -> None:
     """Set values by path in the document, the keys of a stand file; a None takes a key away.
 
     Numbers of `unbalance` are set last, those of a flywheel together: a static unbalance is as given, whatever
-    mass and centre of mass are set beside it. Raises UsageError, StandError.
+    mass and centre of mass are set beside it. Items of lists go at the end, so that places are those of the document.
+    Raises UsageError, StandError.
     """
     unbalances: dict[Way, dict[str, Any]] = {}
+    removed = set[Way]()
     for path, value in changes.items():
         for way in ways_of(document, path):
-            if way[-2:-1] == ("unbalance",):
+            if value is None and isinstance(way[-1], int):
+                removed.add(way)
+            elif way[-2:-1] == ("unbalance",):
                 unbalances.setdefault(way[:-2], {})[str(way[-1])] = value
             else:
                 _put(document, way, value, path)
@@ -124,6 +128,8 @@ def put(document: dict[str, Any], changes: Mapping[str, Any]) -> None:
         else:
             for key, value in keys.items():
                 _put(document, (*way, "unbalance", key), value, f"{wheel.get('name')}.unbalance.{key}")
+    for way in sorted(removed, reverse=True):
+        del value_at(document, way[:-1])[way[-1]]
 
 
 def value_at(document: Any, way: Way) -> Any:
@@ -140,7 +146,7 @@ def _put(document: dict[str, Any], way: Way, value: Any, path: str) -> None:
     last: Any = way[-1]
     if value is not None:
         place[last] = exact(value)
-    elif isinstance(place, list) or last in place:
+    elif last in place:
         del place[last]
     else:
         raise UsageError(f"{path}: there is no {show(last)} to take away{suggestion(last, place)}")
