@@ -48,7 +48,7 @@ typedef struct course {
     real *phi, *phi_dot, *phi_ddot, *tau, *wrench, *dt, *carry;
     const real *coupling;   /* I (6, N, n) of (8) */
     const int *given;       /* flywheels whose speed is given */
-    const drive *drives;
+    const drive *const *drives; /* (N, n) */
     double *rate, *turned, *before; /* (N, n): rad/s2 in the step before; rad since the beginning; rad, rad/s */
     call step, matrices, solve, torque;
     const answer *answers;
@@ -158,7 +158,7 @@ static void set_torques(course *c, const double command[], double ahead)
         const size_t at = (size_t)s * c->n;
         for (size_t i = at; i < at + c->n; ++i) {
             const double speed = (double)c->phi_dot[i] + ahead * c->rate[i];
-            c->tau[i] = c->given[s] ? (real)0 : (real)drive_torque(&c->drives[s], command[s], speed);
+            c->tau[i] = c->given[s] ? (real)0 : (real)drive_torque(c->drives[i], command[s], speed);
         }
     }
 }

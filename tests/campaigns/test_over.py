@@ -19,6 +19,7 @@ from campaigns.files import read
 from mahovik import stands
 from mahovik.core.motion.programme import programme_text
 from mahovik.core.stand.numbers import StandNumbers
+from mahovik.core.toolchain import store
 from mahovik.out.campaign.file import Campaign
 from mahovik.out.campaign.quantities import STATISTICS, band_rms
 from verify.programme.programmes import shaker
@@ -152,6 +153,27 @@ stiffness = 500
 """
 
 
+LAWS = {"a": {"run_up": {"torque": 0.5, "to": 250.0}}, "b": {"torque": 0.4}}
+
+
+def equals_its_own_stand(folder: Path, hold: str, start: Any, vary: str, samples: int) -> None:
+    """To the bit each row of a campaign of the laden stand is the motion of its own stand, which is not built there."""
+    (folder / "laden.toml").write_text(LADEN + hold, encoding="utf-8")
+    keys: dict[str, Any] = {"regime": {"flywheel": LAWS}, "dt": 1e-3, "until": 0.01, "start": start}
+    over = "\n".join(f"{key} = {_toml(value)}" for key, value in keys.items())
+    wanted = {"speed": '"end speed"\nat = "a"', "rate": '"end rate"\nat = "carrier"\naxis = "y"'}
+    kept = set[str]()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(store, "find_numbers", lambda _: None)
+        patch.setattr(store, "keep_numbers", lambda name, _: kept.add(name))
+        rows, of_samples = computed(folder, f"[vary]\n{vary}\n", over, wanted, "laden.toml", samples)
+    assert len(kept) == 1
+    for j, of_sample in enumerate(of_samples):
+        begin = None if start == "rest" else start
+        run = mahovik.build(of_sample).simulate(0.01, regime=keys["regime"], start=begin, dt=1e-3)
+        assert (rows["speed"][j], rows["rate"][j]) == (run["phi_dot"][-1, 0], run["V"][-1, 4])
+
+
 @pytest.mark.parametrize(
     ("hold", "start"),
     [("", {"V": [0.1, 0.2, 0.3, 0.1, -0.2, 0.3], "angles": [0.1, 0.2, 0.3]}), (HELD, {"u": [0.1, 0.2, 0.3]}),
@@ -163,22 +185,27 @@ stiffness = 500
 def test_a_row_is_the_motion_of_its_own_stand(
     tmp_path_factory: pytest.TempPathFactory, hold: str, start: dict[str, Any], data: st.DataObject
 ) -> None:
-    """To the bit, whichever number varies: of a body, a law, a motor, or the place where the carrier is held."""
-    folder = tmp_path_factory.mktemp("campaign")
+    """Whichever number varies: of a body, a law, a motor, or the place where the carrier is held."""
     stand = mahovik.Stand.from_dict(tomllib.loads(LADEN + hold))
-    (folder / "laden.toml").write_text(LADEN + hold, encoding="utf-8")
     fixed = ("hold.basis", "hold.axis", "hold.slide")
     numbers = [x for x in StandNumbers(stand, stand.to_dict(), motors=True) if not x.path.startswith(fixed)]
     number = data.draw(st.sampled_from(numbers))
     low, high = sorted([number.value * 0.999, number.value * 1.001]) if number.value else (0.0, 1e-6)
-    laws = {"a": {"run_up": {"torque": 0.5, "to": 250.0}}, "b": {"torque": 0.4}}
-    keys: dict[str, Any] = {"regime": {"flywheel": laws}, "dt": 1e-3, "until": 0.01, "start": start}
-    over = "\n".join(f"{key} = {_toml(value)}" for key, value in keys.items())
-    vary = f'[vary]\n"{number.path}" = {{ uniform = [{low!r}, {high!r}] }}\n'
-    wanted = {"speed": '"end speed"\nat = "a"', "rate": '"end rate"\nat = "carrier"\naxis = "y"'}
-    rows, (of_sample,) = computed(folder, vary, over, wanted, "laden.toml", samples=1)
-    run = mahovik.build(of_sample).simulate(0.01, regime=keys["regime"], start=start, dt=1e-3)
-    assert (rows["speed"][0], rows["rate"][0]) == (run["phi_dot"][-1, 0], run["V"][-1, 4])
+    vary = f'"{number.path}" = {{ uniform = [{low!r}, {high!r}] }}'
+    equals_its_own_stand(tmp_path_factory.mktemp("campaign"), hold, start, vary, samples=1)
+
+
+@pytest.mark.parametrize(
+    ("hold", "start", "vary"),
+    [("", {"V": [0.1] * 6}, '"a.motor.coulomb_speed" = { lognormal = [0.005, 2] }'),
+     ("", {"V": [0.1] * 6}, '"b.motor.torque_speed[0][0]" = { normal = [0, 1] }'),
+     ("", {"V": [0.1] * 6}, '"a.motor.torque" = { uniform = [0.01, 0.6] }\n"a.mass" = { uniform = [0.1, 1] }'),
+     (HELD, {"u": [0.1] * 3}, '"hold.position[0]" = { uniform = [0, 1] }\n"hold.angles[1]" = { uniform = [0, 0.1] }'),
+     (SEESAW, "rest", '"hold.pivot[0]" = { uniform = [0.08, 0.1] }')],
+    ids=["more parts of a step", "points below rest", "a motor and a body", "place", "pivot"],
+)  # fmt: skip
+def test_motors_and_places_of_a_hold_are_rows_of_one_build(tmp_path: Path, hold: str, start: Any, vary: str) -> None:
+    equals_its_own_stand(tmp_path, hold, start, vary, samples=8)
 
 
 def _toml(value: Any) -> str:

@@ -14,7 +14,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields, is_dataclass, replace
-from functools import partial
 from typing import Any, TypeVar, cast
 
 import numpy as np
@@ -133,7 +132,7 @@ def by_sample(function: Callable[[Any], Tree], value: Any) -> Tree:
     results: list[Any] = []
     for k in range(len(columns[0].values)):
         try:
-            results.append(function(_with_numbers(partial(_of_sample, k), value)))
+            results.append(function(of_sample(value, k)))
         except ValueError as error:
             results.append(error)
     columns[0].run.diverged |= [isinstance(x, ValueError) != isinstance(results[0], ValueError) for x in results]
@@ -145,8 +144,9 @@ def by_sample(function: Callable[[Any], Tree], value: Any) -> Tree:
     return cast(Tree, _with_numbers(lambda _: Column(next(stacked), columns[0].run, keys), results[0]))
 
 
-def _of_sample(k: int, number: Any) -> Any:
-    return number.values[k].item() if isinstance(number, Column) else number
+def of_sample(value: Tree, k: int) -> Tree:
+    """The data of one sample."""
+    return cast(Tree, _with_numbers(lambda x: x.values[k].item() if isinstance(x, Column) else x, value))
 
 
 def _with_numbers(change: Callable[[Any], Any], value: Any) -> Any:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ from mahovik.contract.status import status_words
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, fill_record, record
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import TWIST_LETTERS, Stand, Structure
+from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain import store
 from mahovik.core.toolchain.compiler import BITS, SHARED, WARNINGS, find_compiler, run_compiler
@@ -401,10 +402,26 @@ RESULTS = {"forward": ("V_dot",), "coupled": ("V_dot", "phi_ddot"), "torque": ("
 """Results that further functions take: they are put where these find them."""
 
 
+Motors = tuple[Motor | None, ...]
+"""Motors of the flywheels of a stand."""
+
+
+class StandTables(Protocol):
+    """Numbers of many stands. `motors`: of each; None: those of the stand from which they differ."""
+
+    motors: Sequence[Motors] | None
+
+    def block(self, argument: str) -> Array:
+        """The tables as the C reads them, by argument."""
+
+    def part(self, rows: NDArray[np.int64]) -> StandTables:
+        """Those of some of the stands."""
+
+
 class Block:
     """n states with the numbers of the stand itself, or of stands that differ from it in numbers.
 
-    tables  by argument of the C, tables of many stands; None: those of the library
+    tables  of many stands; None: those of the library
     first   number of the first state among these stands, a multiple of all LANES
     given  memory of what the C takes, by argument: `x` (13 + 2 N, n), `phi_ddot`, `tau` (N, n), `V_dot` (6, n),
            `wrench` (6 W, n), `locked` (N), `dt`, `order`; with `carried` the `carry` of steps, a record a state
@@ -417,7 +434,7 @@ class Block:
         stand: Stand,
         made: CompiledLibrary,
         n: int,
-        tables: Callable[[str], Array] | None = None,
+        tables: StandTables | None = None,
         first: int = 0,
         carried: bool = False,
     ) -> None:
@@ -452,6 +469,13 @@ class Block:
     def inputs(self) -> tuple[str, ...]:
         """Bodies that take a run-time wrench, in the order of `wrench`."""
         return self._made.inputs
+
+    @property
+    def motors(self) -> Sequence[Motors]:
+        """Motors of each state; of one where all have the same."""
+        if self._tables is None or self._tables.motors is None:
+            return [tuple(flywheel.motor for flywheel in self.stand.flywheels)]
+        return self._tables.motors[self.first : self.first + self.n]
 
     def has(self, function: str) -> bool:
         """Whether the stand has a function of the C."""
@@ -493,7 +517,7 @@ class Block:
         size = self._made.of_tables.block_bytes(name == "mounting")
         lanes = LANES[self._made.element.itemsize]
         begin = self.first // lanes * size
-        return self._tables(name)[begin : begin + -(-self.n // lanes) * size]
+        return self._tables.block(name)[begin : begin + -(-self.n // lanes) * size]
 
     def _prepare_call(self, function: str) -> Callable[[], int]:
         library, name, arrays = self._arranged(function)

@@ -20,13 +20,10 @@ from mahovik.out.arguments import regime_of, time
 from mahovik.out.result import Axis, Column, Result
 from mahovik.proof.verify.draw import blocked_twist
 from mahovik.use.simulate.case import Case
-from mahovik.use.simulate.course import NEEDS, motion, parts_of, stand_for, why_refused
+from mahovik.use.simulate.course import NEEDS, motion, stand_for, together, why_refused
 
 MOST = 1 << 28
 """Numbers of a motion, at most: 2 GB."""
-
-SIZE = 256
-"""Samples that are stepped together: their tables and states stay in the cache of the processor."""
 
 
 def simulate(
@@ -59,24 +56,19 @@ def simulate(
         return simulate(other, end, chosen, x0, step, between, order, mounts, tables, on_error)
     case = Case(stand, chosen, _state_of(stand, x[:, 0]), end, between, step, order, calls.real)
     needs = NEEDS - {"I", "coordinates"} - (set() if mounts else {"loads"})
-    nominal = Block(stand, calls.made, 1)
-    nominal.x[:] = x[:, :1]
-    parts = parts_of(case, nominal)
     _check_size(case, x.shape[1], len(calls.made.sensors))
-    pieces, refused = [], list[str]()
-    for first in range(0, x.shape[1], SIZE):
-        columns = x[:, first : first + SIZE]
-        block = Block(stand, calls.made, columns.shape[1], None if tables is None else tables.block, first)
-        block.x[:] = columns
-        pieces.append(_arrays(case, block, needs, parts))
+    arrays, refused = dict[str, Array](), [""] * x.shape[1]
+    for rows, block, parts in together(case, calls.made, x, tables):
+        for name, array in _arrays(case, block, needs, parts).items():
+            arrays.setdefault(name, np.empty((x.shape[1], *array.shape[1:]), array.dtype))[rows] = array
         words = [why_refused(stand, block, j) for j in range(block.n)]
         if on_error == "raise" and any(words):
             j = next(j for j, why in enumerate(words) if why)
-            where = f"sample {first + j}: " if n else ""
+            where = f"sample {rows[j]}: " if n else ""
             status, count = int(block.status[j]), sum(map(bool, words))
-            raise RefusedError(f"{where}{words[j]}", "simulate", first + j, status, status_words(status), count)
-        refused += words
-    arrays = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
+            raise RefusedError(f"{where}{words[j]}", "simulate", int(rows[j]), status, status_words(status), count)
+        for number, why in zip(rows.tolist(), words, strict=True):
+            refused[number] = why
     return _result(calls, case.times, arrays, refused, n)
 
 

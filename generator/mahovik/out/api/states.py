@@ -11,16 +11,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from mahovik.contract.evaluation import STATE
 from mahovik.contract.quantities import UNIT_LENGTH
-from mahovik.core.stand.hold import carried_point, twists
+from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import InputError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.inputs import Given, axes_of, batch_size, by_component, is_count, numbers, read
 from mahovik.out.arguments import reading, text_of_keys
 from mahovik.out.result import Axis, Column, Result
-from mahovik.proof.verify.draw import ALLOWED, blocked_twist, freedom_rates, freedoms, home_attitude, worst
+from mahovik.proof.verify.draw import blocked_twist, freedom_rates, home_attitude
 from mahovik.proof.verify.states import ROUNDING
-from mahovik.use.simulate.held import shows_freedoms
+from mahovik.use.simulate.held import blocked_pose, place_at
 
 Array = NDArray[Any]
 
@@ -205,9 +205,10 @@ class StateMaker:
         if not turns:
             turn = np.array(home_attitude(self.stand))
         if place is None:
-            place = _place_at(self.stand, turn)
+            place = place_at(self.stand, turn)
         batch_size({"position": place, "attitude": turn})
-        _check_pose(self.stand, place * np.ones(3), turn)
+        if reason := blocked_pose(self.stand, place * np.ones(3), turn):
+            raise InputError(reason)
         return place, turn
 
     def _twist(self, V: Given, u: Given | None) -> Array:
@@ -285,51 +286,3 @@ def state_of(
     if not Path(state).exists():
         raise UsageError(f"{name} {state}: no such file, expected one with a state")
     return reading("state", Path(state), load_start, stand, keys, hint)
-
-
-# -- poses that a hold allows ------------------------------------------------------------------------------------------
-
-
-def _place_at(stand: Stand, attitude: Array) -> Array:
-    """O1 in E0 (3, or n x 3; m), where the hold has a carrier of this attitude (4, or n x 4) that did not slide."""
-    hold = stand.hold
-    assert hold is not None
-    arm = _rotate(np.array(home_attitude(stand)), np.array(hold.pivot)) - _rotate(attitude, np.array(hold.pivot))
-    return np.asarray(np.array(hold.position) + arm)
-
-
-def _check_pose(stand: Stand, position: Array, attitude: Array) -> None:
-    """Raise InputError for poses that the hold does not allow; of a set that is not closed all are allowed.
-
-    position: m, in E0, (3) or (n, 3); attitude: quaternions, w first, (4) or (n, 4)
-    """
-    hold = stand.hold
-    assert hold is not None
-    if not shows_freedoms(hold):
-        return
-    back = np.array(home_attitude(stand)) * np.array([1.0, -1.0, -1.0, -1.0])
-    pivot, slides = map(np.array, carried_point(hold))
-    gone = position - np.array(hold.position) + _rotate(attitude, pivot)
-    way = np.atleast_2d(_rotate(back, gone) - pivot)
-    # twice the vector part of the quaternion from home
-    turned = 2.0 * (back[0] * attitude[..., 1:] + attitude[..., :1] * back[1:] + np.cross(back[1:], attitude[..., 1:]))
-    turns = np.array([twists(hold)[3:, k] for k, freedom in enumerate(hold.freedoms) if freedom.kind == "turn"])
-    way, turned = np.broadcast_arrays(way - way @ slides.T, turned - (turned @ turns.T @ turns if len(turns) else 0.0))
-    off = np.concatenate([way, turned], axis=1)
-    far = np.abs(off).max(axis=1) > ALLOWED * np.maximum(1.0, np.abs(np.atleast_2d(position)).max(axis=1))
-    if far.any():
-        first = off[np.flatnonzero(far)[0]]
-        k = int(np.argmax(np.abs(first)))
-        which = f" of state {np.flatnonzero(far)[0]}" if len(far) > 1 else ""
-        expected = f"what {freedoms(hold)} reach, or no position" if hold.freedoms else "the home pose, as clamped"
-        raise InputError(
-            f"position, attitude{which}: off by {abs(first[k]):.3g} {'m' if k < 3 else 'rad'} along "
-            f"{worst(first)}, which [hold] blocks; expected {expected}"
-        )
-
-
-def _rotate(attitude: Array, vector: Array) -> Array:
-    """C x of unit quaternions."""
-    axis = attitude[..., 1:]
-    cross = 2.0 * np.cross(axis, vector)
-    return np.asarray(vector + attitude[..., :1] * cross + np.cross(axis, cross))

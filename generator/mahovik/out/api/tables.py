@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from mahovik.contract.status import status_words
 from mahovik.core.program.arrays import fill_record
 from mahovik.core.program.interpret import Interpreter, plain
-from mahovik.core.stand.columns import Column, Run
+from mahovik.core.stand.columns import Column, Run, of_sample
 from mahovik.core.stand.columns import numbers as numbers_of
 from mahovik.core.stand.hold import PLACE_OF_HOLD
 from mahovik.core.stand.model import Stand as CoreStand
@@ -21,7 +21,7 @@ from mahovik.core.stand.physical import doubtful_samples
 from mahovik.core.stand.stand_file import read
 from mahovik.core.stand.structure import structure
 from mahovik.core.stand.units import show
-from mahovik.core.toolchain.compiled import LANES, CompiledLibrary, lower_structure
+from mahovik.core.toolchain.compiled import LANES, CompiledLibrary, Motors, lower_structure
 from mahovik.errors import InputError, StandError, UsageError
 from mahovik.out.api.inputs import is_count
 from mahovik.out.api.stands import Stand
@@ -50,6 +50,7 @@ class Tables:
         self._variants = variants(self.base, self.real, self.samples)
         for number in np.flatnonzero(self._variants.doubtful):
             check_sample(self.base, self.samples, int(number))
+        self.motors = self._variants.motors
         self._blocks = self._prepared(mountings=False)
 
     def __len__(self) -> int:
@@ -89,6 +90,10 @@ class Tables:
         for _ in reals(layout.parameters, self._variants.parameters):
             next(varied)
         return columns(law_struct(layout), self._variants.table, varied, len(self))
+
+    def part(self, rows: NDArray[np.int64]) -> Tables:
+        """Tables of some of the stands, by their numbers."""
+        return Tables(self._made, self._threads, self.samples.part(rows).changes, len(rows))
 
     def stand(self, number: int) -> Stand:
         """The stand of one sample, as `base.replace` makes it. Raises InputError."""
@@ -213,12 +218,14 @@ class Variants:
     table       its laws, likewise
     varied      for each number of both an array of all samples; None where all have the same
     doubtful    samples that only their own stand file shows to be in order
+    motors      of the flywheels of each sample; None: those of the stand
     """
 
     parameters: dict[str, Any]
     table: dict[str, Any]
     varied: list[NDArray[Any] | None]
     doubtful: NDArray[np.bool_]
+    motors: Sequence[Motors] | None
 
 
 def variants(stand: Stand, real: str, samples: Samples) -> Variants:
@@ -233,13 +240,15 @@ def variants(stand: Stand, real: str, samples: Samples) -> Variants:
     interpreter, doubtful = Interpreter(program), np.zeros(n, dtype=np.bool_)
     parameters: dict[str, Any] = {}
     table: dict[str, Any] = {}
+    own: Motors = tuple(wheel.motor for wheel in stand.flywheels)
+    motors = [own] * n
     readings: list[tuple[NDArray[np.int64], NDArray[np.bool_], list[Any]]] = []
     rows: NDArray[np.int64] = np.arange(n)
     while rows.size or not readings:
         run = Run.of(len(rows))
         # of no sample at all the stand itself is read
         sampled, document = _read(stand, samples.columns(rows, run) if rows.size else {}, samples, rows)
-        if structure(sampled) != wanted:
+        if replace(structure(sampled), motor_points=wanted.motor_points) != wanted:
             raise UsageError(
                 f"{document}: is of another structure than {stand.name}: gravity, or the part of a law, is zero "
                 "there and not here, or the other way round; build a model of its own"
@@ -251,10 +260,14 @@ def variants(stand: Stand, real: str, samples: Samples) -> Variants:
         _check_acting(sampled, numbers)
         kept = ~run.diverged
         doubtful[rows[kept]] = unsure[kept]
+        of_motors = tuple(wheel.motor for wheel in sampled.flywheels)
+        if any(isinstance(x, Column) for x in numbers_of(of_motors)) or of_motors != own:
+            for k in np.flatnonzero(kept).tolist():
+                motors[rows[k]] = of_sample(of_motors, k)
         readings.append((rows[kept], kept, numbers))
         rows = rows[run.diverged]
     varied = [_varied([(at, kept, numbers[i]) for at, kept, numbers in readings], n) for i in range(len(numbers))]
-    return Variants(parameters, table, varied, doubtful)
+    return Variants(parameters, table, varied, doubtful, motors if any(of is not own for of in motors) else None)
 
 
 def _varied(readings: Sequence[tuple[NDArray[np.int64], NDArray[np.bool_], Any]], n: int) -> Array | None:
@@ -295,8 +308,10 @@ def change_values(stand: Stand, values: dict[str, Any]) -> dict[str, Any]:
 
 
 def _check_acting(stand: CoreStand, numbers: list[Any]) -> None:
-    """Refuse a number of the stand that is in no table, such as one of a motor."""
-    acting = frozenset[str]().union(*(x.keys for x in numbers if isinstance(x, Column)))
+    """Refuse a number of the stand that is in no table, decides no torque of a motor and no state of a held carrier."""
+    motors = [replace(s.motor, constant=None, resistance=None, supply=None) for s in stand.flywheels if s.motor]
+    beside = numbers_of((*motors, stand.hold))
+    acting = frozenset[str]().union(*(x.keys for x in (*numbers, *beside) if isinstance(x, Column)))
     for x in numbers_of(stand):
         for path in sorted(x.keys - acting) if isinstance(x, Column) else ():
             raise UsageError(f"{path}: acts in no function that takes tables; expected a number of a body or a law")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -26,14 +25,14 @@ from mahovik.core.stand.model import State
 from mahovik.core.stand.tables import NOTHING, Problems, Table
 from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show
 from mahovik.core.toolchain.compiled import PER_BLOCK, Block, compile_library
-from mahovik.errors import CheckError, MahovikError, StateError, UsageError
+from mahovik.errors import CheckError, MahovikError, UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.states import state_of
 from mahovik.out.api.tables import Samples, Tables, first_reason
 from mahovik.out.arguments import motion_of, programme_of, regime_of, text_of_keys
 from mahovik.out.campaign.quantities import AXES, HOLD, Errors, Quantity, Scene, rotation, turn
-from mahovik.out.notices import MahovikWarning, warn_of_steps, warn_of_turn
+from mahovik.out.notices import warn_of_steps, warn_of_turn
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.use.control.loop import coordinates, required_state
@@ -41,7 +40,7 @@ from mahovik.use.measured.headers import sensors
 from mahovik.use.numeric.frame import Frame
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.simulate.case import HINT, START_KEYS, Case, read_start
-from mahovik.use.simulate.course import FUNCTIONS, Moments, motion, parts_of, stand_for, why_refused
+from mahovik.use.simulate.course import FUNCTIONS, SAMPLES, Moments, motion, stand_for, together, why_refused
 from mahovik.use.simulate.held import allowed_start
 from mahovik.use.study.rest import accuracy, rest
 from mahovik.use.vibration.lines import LineName, Lines
@@ -52,8 +51,8 @@ from mahovik.use.vibration.view import REACTION, find_view
 Values = tuple[dict[str, Array], list[str]]
 """Quantities by name, (n) each, and the reason of each sample that has none, or ""."""
 
-SIZE, MOST, CACHE = 256, 1 << 23, 1 << 13
-"""Samples that are stepped together, at most; numbers of one component that are kept of them, and worked on at once."""
+MOST, CACHE = 1 << 23, 1 << 13
+"""Numbers of one component that are kept of samples that are stepped together, and worked on at once."""
 
 
 def _file_or_table(raw: Any) -> Any:
@@ -123,8 +122,8 @@ def read_over(raw: Mapping[str, Any], problems: Problems) -> tuple[str, Any]:
     return kinds[0], problems.valid(KINDS[kinds[0]], raw, "over")
 
 
-_BESIDE = re.compile(rf"hold\.({'|'.join(PLACE_OF_HOLD)})\[|[^.]*\.motor\.")
-"""Paths of numbers that act beside the tables of the C: a state is another one where the carrier is held elsewhere."""
+_PLACE = re.compile(rf"hold\.({'|'.join(PLACE_OF_HOLD)})\[")
+"""Paths of numbers that say where the carrier is held: a state is another one elsewhere."""
 
 
 def runner_of(
@@ -136,23 +135,11 @@ def runner_of(
     """
     if isinstance(over, SpeedsTable):
         return ByStand(stand, _steady(stand, over, quantities))
-    if any(map(_BESIDE.match, varied)):
-        runner_of(stand, over, quantities, folder)  # refuses what all samples would be refused for
-
-        def numbers_of(variant: Stand) -> Mapping[str, float]:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore", MahovikWarning)
-                runner = runner_of(variant, over, quantities, folder)
-            assert isinstance(runner, TimeRunner)
-            numbers, (reason,) = runner.values(build(runner.stand).tables({}, 1))
-            if reason:
-                raise StateError(reason)
-            return {name: float(column[0]) for name, column in numbers.items()}
-
-        return ByStand(stand, numbers_of)
     if isinstance(over, RegimeTable):
         return _over_regime(stand, over, quantities, folder)
     if isinstance(over, ProgrammeTable):
+        for path in filter(_PLACE.match, varied):
+            raise UsageError(f"programme: its motion is one from the home pose of the stand file; {path} varies")
         return _over_programme(stand, over, quantities, folder)
     return _over_states(stand, folder / over.states, quantities)
 
@@ -185,22 +172,26 @@ class ByStand:
 
 # -- runs in time ----------------------------------------------------------------------------------------------------
 
-Begin = Callable[[Block, Tables], Mapping[int, str]]
-"""Puts the states of a block at the start; gives the reasons of samples that have none."""
+Begin = Callable[[Tables], tuple[Array, Mapping[int, str]]]
+"""Numbers (K, c, n) of the states that samples begin in, and the reasons of samples that have none."""
 
-Course = Callable[[Block, set[str]], Iterator[Moments]]
-"""Moments of a block, with what is needed."""
+Course = Callable[[Block, Array, int, set[str]], Iterator[Moments]]
+"""Moments of a block, of what `Begin` says of it and the parts of its steps, with what is needed."""
 
 
 @dataclass(eq=False)
 class TimeRunner:
-    """Quantities of moments of a run, of which there are some; what is computed of a sample depends on no other."""
+    """Quantities of moments of a run, of which there are some; what is computed of a sample depends on no other.
+
+    case  None: there are no steps
+    """
 
     stand: Stand
     quantities: Sequence[Quantity]
     begin: Begin
     course: Course
     moments: int
+    case: Case | None = None
     errors: Errors | None = None
 
     def __post_init__(self) -> None:
@@ -210,20 +201,21 @@ class TimeRunner:
         """Quantities of all samples of tables."""
         n, names = len(tables), [q.name for q in self.quantities]
         numbers, reasons = {name: np.full(n, np.nan) for name in names}, [""] * n
-        size = max(PER_BLOCK, min(SIZE, MOST // self.moments // PER_BLOCK * PER_BLOCK))
+        size = max(PER_BLOCK, min(SAMPLES, MOST // self.moments // PER_BLOCK * PER_BLOCK))
         with np.errstate(all="ignore"):  # of samples that leave their ranges
-            for first in range(0, n, size):
-                block = Block(self.stand, self._made, min(size, n - first), tables.block, first)
-                lost = self.begin(block, tables)
-                for name, column in zip(names, self._numbers(block), strict=True):
-                    numbers[name][first : first + block.n] = column
+            states, lost = self.begin(tables)
+            lost, x = dict(lost), states[0, : 13 + 2 * len(self.stand.flywheels)]
+            for rows, block, parts in together(self.case, self._made, x, tables, size, lost):
+                columns = self._numbers(block, partial(self.course, block, states[..., rows], parts))
+                for name, column in zip(names, columns, strict=True):
+                    numbers[name][rows] = column
                 for j in np.flatnonzero(block.status < 0).tolist():
-                    reasons[first + j] = why_refused(self.stand, block, j)
-                for j, reason in lost.items():
-                    reasons[first + j] = reason
+                    reasons[rows[j]] = why_refused(self.stand, block, j)
+        for j, reason in lost.items():
+            reasons[j] = reason
         return numbers, reasons
 
-    def _numbers(self, block: Block) -> Iterator[Array]:
+    def _numbers(self, block: Block, course: Callable[[set[str]], Iterator[Moments]]) -> Iterator[Array]:
         """Quantities of a block."""
         readings = np.zeros((0, block.n))
         if sensors(self.stand):
@@ -231,7 +223,7 @@ class TimeRunner:
             readings = block.found["points"].copy()
         scene = Scene(self.stand, block.x.copy(), readings, self.errors)
         times, values = list[Array](), [list[Array]() for _ in self.quantities]
-        for at in self.course(block, {q.need for q in self.quantities} - {""}):
+        for at in course({q.need for q in self.quantities} - {""}):
             for piece in _pieces(at, max(1, CACHE // block.n)):
                 times.append(piece.t)
                 for q, kept in zip(self.quantities, values, strict=True):
@@ -258,8 +250,9 @@ def _over_regime(stand: Stand, over: RegimeTable, quantities: Sequence[Quantity]
     begin: Begin
     if start != "rest":
         keys = start if isinstance(start, Path) else json.loads(text_of_keys(start, schema=False))
-        state = state_of("start", keys, stand, START_KEYS, HINT)
-        begin = partial(_begin_at, _column(stand, state))
+        of: Callable[[CoreStand], State] = lambda one: state_of("start", keys, one, START_KEYS, HINT)  # noqa: E731
+        state = of(stand)
+        begin = partial(_begin_at, stand, of)
     else:
         begin = AtRest(stand, [flywheel.phase or 0.0 for flywheel in regime.flywheels])
         state = begin.nominal
@@ -281,11 +274,9 @@ def _timed(
             least = 2.0 / (high - low) + q.after
             raise UsageError(f"quantity {q.name}: band: {low:g} to {high:g} Hz needs a run of {least:g} s")
     warn_of_steps(case)
-    block = Block(stand, compile_library(stand), 1)
-    block.x[:, 0] = _column(stand, case.start)
-    parts = parts_of(case, block)
-    course: Course = lambda block, needs: motion(case, block, needs, parts)  # noqa: E731
-    return TimeRunner(stand, quantities, begin, course, len(case.times), errors)
+    next(together(case, compile_library(stand), _column(stand, case.start)[:, None], None))  # refuses a steep law
+    course: Course = lambda block, _states, parts, needs: motion(case, block, needs, parts)  # noqa: E731
+    return TimeRunner(stand, quantities, begin, course, len(case.times), case, errors)
 
 
 def _column(stand: CoreStand, state: State) -> Array:
@@ -296,9 +287,25 @@ def _column(stand: CoreStand, state: State) -> Array:
     return np.array([*state.position, *quaternion, *state.V, *state.phi, *state.phi_dot])
 
 
-def _begin_at(column: Array, block: Block, _tables: Tables) -> Mapping[int, str]:
-    block.x[:] = column[:, None]
-    return {}
+def _begin_at(stand: CoreStand, of: Callable[[CoreStand], State], tables: Tables) -> tuple[Array, Mapping[int, str]]:
+    return _of_each(stand, lambda one: _column(stand, of(one))[None], tables)
+
+
+def _is_moved(tables: Tables) -> bool:
+    return any(map(_PLACE.match, tables.samples.changes))
+
+
+def _of_each(
+    stand: CoreStand, of: Callable[[CoreStand], Array], tables: Tables
+) -> tuple[Array, Mapping[int, str]]:  # fmt: skip
+    """See `Begin`: by a function of the stand, or of that of each sample where the carrier is held elsewhere."""
+    states, reasons = np.repeat(of(stand)[..., None], len(tables), axis=-1), dict[int, str]()
+    for j in range(len(tables) if _is_moved(tables) else 0):
+        try:
+            states[..., j] = of(tables.stand(j))
+        except MahovikError as error:
+            reasons[j] = first_reason(error, stand.name)
+    return states, reasons
 
 
 class AtRest:
@@ -330,28 +337,27 @@ class AtRest:
         slopes = (after - before) / (2.0 * self.STEP)
         self._inverse = -S @ (np.linalg.pinv(slopes / weights, rcond=1e-8) / weights[:, None])
 
-    def __call__(self, block: Block, tables: Tables) -> Mapping[int, str]:
+    def __call__(self, tables: Tables) -> tuple[Array, Mapping[int, str]]:
         """See `Begin`."""
-        reasons, stand = dict[int, str](), self._stand
-        block_at_rest = Block(stand, self._made, block.n, tables.block, block.first)
-        block_at_rest.x[:] = self._column
-        for _ in range(self.MOST):
-            block_at_rest.call("forward")
-            V_dot = block_at_rest.given["V_dot"]
+        reasons, n = dict[int, str](), len(tables)
+        block, moving = Block(self._stand, self._made, n, tables), np.ones(n, dtype=np.bool_)
+        block.x[:] = self._column
+        for _ in range(0 if _is_moved(tables) else self.MOST):
+            block.call("forward")
+            V_dot = block.given["V_dot"]
             moving = np.any(np.abs(V_dot) > self._least, axis=0)
             if not moving.any():
                 break
-            moved = block_at_rest.x.copy()
+            moved = block.x.copy()
             self._displace(moved, sum(self._inverse[:, j, None] * V_dot[j] for j in range(6)))
-            block_at_rest.x[:, moving] = moved[:, moving]  # those that rest stay as they are, whatever the others need
+            block.x[:, moving] = moved[:, moving]  # those that rest stay as they are, whatever the others need
         for j in np.flatnonzero(moving).tolist():
-            block_at_rest.x[:, j] = self._column[:, 0]
+            block.x[:, j] = self._column[:, 0]
             try:
-                block_at_rest.x[:, j] = _column(stand, rest(tables.stand(block.first + j), self._phases).state)
+                block.x[:, j] = _column(self._stand, rest(tables.stand(j), self._phases).state)
             except MahovikError as error:
                 reasons[j] = str(error)
-        block.x[:] = block_at_rest.x
-        return reasons
+        return block.x[None].copy(), reasons
 
     @staticmethod
     def _displace(x: Array, step: Array) -> None:
@@ -375,7 +381,7 @@ def _over_programme(stand: Stand, over: ProgrammeTable, quantities: Sequence[Qua
     state = replace(state, phi=tuple(angles.phi[0].tolist()), phi_dot=tuple(angles.phi_dot[0].tolist()))
     start, until = allowed_start(stand, state), required.span * over.periods
     case = Case(stand, programme_regime(programme), start, until, over.every, over.dt, over.order)
-    begin = partial(_begin_at, _column(stand, start))
+    begin = partial(_begin_at, stand, lambda _: start)
     errors = partial(_errors, stand, required, programme, scale_of(stand, required, programme))
     return _timed(case, stand, quantities, begin, errors)
 
@@ -401,28 +407,32 @@ def _errors(
 
 def _over_states(stand: Stand, path: Path, quantities: Sequence[Quantity]) -> TimeRunner:
     """Over the states of a file of JSON lines. Raises UsageError."""
-    states = []
     try:
         lines = readable_text(path, "a file of states").splitlines()
     except ValueError as error:
         raise UsageError(f"states: {error}") from None
-    for number, line in enumerate(lines, 1):
-        try:
-            state = read_start(line, stand, (*START_KEYS, "phi_ddot"), "") if line.strip() else None
-        except UsageError as error:
-            raise UsageError(f"states: {path.name}, line {number}: {error}") from None
-        if state is not None:
-            states.append((_column(stand, state), np.array(state.phi_ddot)))
-    if not states:
-        raise UsageError(f"states: {path.name}: no state, expected one a line")
-    return TimeRunner(stand, quantities, partial(_begin_at, states[0][0]), partial(_at_states, states), len(states))
+
+    def of(one: CoreStand) -> Array:
+        states = []
+        for number, line in enumerate(lines, 1):
+            try:
+                state = read_start(line, one, (*START_KEYS, "phi_ddot"), "") if line.strip() else None
+            except UsageError as error:
+                raise UsageError(f"states: {path.name}, line {number}: {error}") from None
+            if state is not None:
+                states.append(np.append(_column(stand, state), state.phi_ddot))
+        if not states:
+            raise UsageError(f"states: {path.name}: no state, expected one a line")
+        return np.array(states)
+
+    return TimeRunner(stand, quantities, partial(_of_each, stand, of), _at_states, len(of(stand)))
 
 
-def _at_states(states: Sequence[tuple[Array, Array]], block: Block, needs: set[str]) -> Iterator[Moments]:
+def _at_states(block: Block, states: Array, _parts: int, needs: set[str]) -> Iterator[Moments]:
     """All samples in each of the states, as `eval` has them; the number of a state takes the place of the time."""
     needed, none = {need: FUNCTIONS[need] for need in needs if need in FUNCTIONS}, np.zeros((0, block.n))
-    for number, (x, phi_ddot) in enumerate(states):
-        block.x[:], block.given["phi_ddot"][:] = x[:, None], phi_ddot[:, None]
+    for number, numbers in enumerate(states):
+        block.x[:], block.given["phi_ddot"][:] = np.split(numbers, [len(block.x)])
         for function in ("forward", *(("torque",) if "tau" in needs else ()), *needed.values()):
             block.call(function, number)
         memory = block.given | {"state": block.x} | {need: block.found[function] for need, function in needed.items()}

@@ -19,7 +19,7 @@ from mahovik.core.motion.functions import Motion
 from mahovik.core.motion.laws import SpeedLaw
 from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.hold import twists
-from mahovik.core.toolchain.compiled import PER_BLOCK, Block, compile_library
+from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import StateError, UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
@@ -27,7 +27,7 @@ from mahovik.use.measured.clocks import Recording
 from mahovik.use.measured.headers import LETTERS, sensors
 from mahovik.use.numeric.se3 import Array, left_jacobian
 from mahovik.use.simulate.case import Case
-from mahovik.use.simulate.course import motion
+from mahovik.use.simulate.course import motion, together
 from mahovik.use.simulate.held import home
 
 Phase = Callable[..., Array]
@@ -50,9 +50,6 @@ NEAR_CORNER = 3.0
 
 TURN = 0.25
 """A step turns no flywheel by more, rad: the error of order 4 is then far below that of any sensor."""
-
-SIZE = 16 * PER_BLOCK
-"""Variants that are stepped together."""
 
 READINGS, TWIST, FORCE = 24, 15, 18
 """Numbers of `points` of one sensor, the first of its angular velocity, the first of its specific force."""
@@ -177,19 +174,17 @@ class Predictor:
         """
         n = len(tables)
         x, out = self._states(tables, starts), np.empty((len(self.times), len(self.channels), n))
-        for first in range(0, n, SIZE):
-            part, row = slice(first, min(first + SIZE, n)), 0
-            block = Block(self.stand, self._made, part.stop - first, tables.block, first)
-            block.x[:13] = x[:, part]
+        for part, block, _ in together(None, self._made, x, tables):
+            row = 0
             for at in motion(self._case, block, self._needs):
                 out[row : row + len(at.t), :, part] = np.concatenate([at.readings, at.reaction], axis=1)[:, self._rows]
                 row += len(at.t)
             for j in np.flatnonzero(block.status < 0).tolist():
-                raise StateError(f"{self.stand.name}: variant {first + j}: {block.reason(j)}")
+                raise StateError(f"{self.stand.name}: variant {part[j]}: {block.reason(j)}")
         return out
 
     def _states(self, tables: Tables, starts: Array) -> Array:
-        """Position, attitude and twist (13, n)."""
+        """States (13 + 2 N, n), of flywheels that do not turn."""
         n, still = len(tables), home(self.stand)
         laws = tables.laws()  # of a hold's numbers those that differ
         position = laws.get("home_position", np.array(still.position)[:, None])
@@ -200,7 +195,8 @@ class Predictor:
         step, V = (np.einsum("imn,mn->in", S, part) for part in (starts[:m], starts[m:]))
         C = Rotation.from_quat(np.broadcast_to(attitude, (4, n)).T, scalar_first=True)
         moved = position + C.apply((left_jacobian(step[3:].T) @ step[:3].T[:, :, None])[:, :, 0]).T
-        return np.concatenate([moved, (C * Rotation.from_rotvec(step[3:].T)).as_quat(scalar_first=True).T, V])
+        turned, wheels = (C * Rotation.from_rotvec(step[3:].T)).as_quat(scalar_first=True).T, 2 * len(self.phases)
+        return np.concatenate([moved, turned, V, np.zeros((wheels, n))])
 
 
 def _row(label: str, names: Sequence[str]) -> int:

@@ -27,7 +27,6 @@ from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.servo import ServoTables, servo_code
 from mahovik.core.lower.servo import ServoForm, TrimForm, lower_servo
 from mahovik.core.motion.functions import Angles
-from mahovik.core.motion.laws import Torque
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion, Slew, rows_of
 from mahovik.core.motion.servo import Servo
@@ -131,8 +130,7 @@ class Plant:
         x[:] = [*state.position, *(state.quaternion or ()), *state.V, *state.phi, *state.phi_dot]
         block.given["order"][0] = 4
         self.position, self.attitude, self.V, self.phi_dot = x[:3], x[3:7], x[7:13], x[13 + N : 13 + 2 * N]
-        drives = [(Torque(0.0), s.motor) for s in stand.flywheels]
-        self._course = Course(block, [False] * N, drives, by_torque=True)
+        self._course = Course(block, [False] * N, [None] * N, by_torque=True)
         self._first, self.tau, self._fastest = np.array(state.phi), np.zeros(N), _steepest_rate(stand)
 
     @property

@@ -7,7 +7,6 @@ numbers of their stands (tables) and in their states at t = 0; the regime is the
 from __future__ import annotations
 
 import ctypes
-import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
@@ -20,7 +19,7 @@ from mahovik.core.motion.laws import RunUp, TorqueLaw, TorqueSpeed
 from mahovik.core.motion.regime import Regime
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.motor import UNLIMITED, Curve, Motor, slip
-from mahovik.core.toolchain.compiled import Array, Block
+from mahovik.core.toolchain.compiled import Array, Block, CompiledLibrary, StandTables
 from mahovik.core.toolchain.library import FLAGS, load_compiled
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.pieces import stream_at
@@ -38,6 +37,9 @@ MOST_PARTS = 1000
 
 STEPS, NUMBERS = 1 << 15, 1 << 18
 """Steps whose rows are made at once, about; numbers of moments that are kept at once, about."""
+
+SAMPLES = 256
+"""States that are stepped together: they stay in the cache of the processor with their tables."""
 
 FUNCTIONS = {
     "readings": "points", "loads": "mounts", "I": "matrices", "reaction": "reaction", "coordinates": "generalized"
@@ -135,7 +137,7 @@ def _address(array: Array) -> int | None:
 class Course:
     """Steps of the states of a block, all in one call.
 
-    given      flywheels whose speed is given; `drives`: law and motor of each
+    given      flywheels whose speed is given; `laws`: of the torque of each, or None
     by_torque  steps are those of `step`, with torques, else of `step_driven`, with given accelerations
     reacts     given speeds vary beside torques: the carrier, which takes a run-time wrench, bears their reaction
     needs      what `run` keeps besides states, of NEEDS
@@ -145,7 +147,7 @@ class Course:
         self,
         block: Block,
         has_speed_law: Sequence[bool],
-        drives: Sequence[tuple[TorqueLaw | None, Motor | None]],
+        laws: Sequence[TorqueLaw | None],
         by_torque: bool,
         reacts: bool = False,
         needs: Collection[str] = (),
@@ -173,7 +175,7 @@ class Course:
             self._at(memory.get("carry", np.zeros(0))),
             self._at(block.member("matrices", "I") if reacts else np.zeros(0)),
             self._at(memory["locked"]),
-            self._drives(drives),
+            self._drives(laws),
             *(self._at(array) for array in (self.rate, self.turned, np.zeros((2 * N, n)))),
             self._call("step" if by_torque or not N else "step_driven"),
             matrices,
@@ -265,8 +267,11 @@ class Course:
         self._kept += [pointers, passed]
         return _Call(code, ctypes.addressof(pointers))
 
-    def _drives(self, drives: Sequence[tuple[TorqueLaw | None, Motor | None]]) -> int:
-        return self._pointer((_Drive * len(drives))(*(self._drive(law, motor) for law, motor in drives)))
+    def _drives(self, laws: Sequence[TorqueLaw | None]) -> int | None:
+        pointers = np.zeros((len(laws), self.block.n), dtype=np.uintp)
+        for s, law in enumerate(laws):
+            pointers[s] = [self._pointer(self._drive(law, of[s])) for of in self.block.motors]
+        return self._at(pointers)
 
     def _drive(self, law: TorqueLaw | None, motor: Motor | None) -> Any:
         of_law = (law.to, law.band) if isinstance(law, RunUp) else (0.0, 0.0)
@@ -297,13 +302,12 @@ def motion(case: Case, block: Block, needs: Collection[str] = NEEDS, parts: int 
     block   of the stand of the case, which takes what its regime needs (`stand_for`), in the states at t = 0; phases
             and speeds that the regime gives are set here. Samples that are refused have `block.reason(j)`
     needs   of NEEDS
-    parts   see `parts_of`
+    parts   see `together`
 
     Ends early where all samples are refused, at the beginning with a piece of no moments.
     """
     regime, N, x = case.regime, len(case.stand.flywheels), block.x
     laws = [wheel.law if isinstance(wheel.law, TorqueLaw) else None for wheel in regime.flywheels]
-    drives = list(zip(laws, (s.motor for s in case.stand.flywheels), strict=True))
     block.given["order"][0] = case.order
     held = np.array(regime.has_speed_law, dtype=bool)
     phase, speed = (
@@ -313,7 +317,7 @@ def motion(case: Case, block: Block, needs: Collection[str] = NEEDS, parts: int 
     begin = np.where(phase[:, None], case.phi0[:, None], x[13 : 13 + N])
     x[13 : 13 + N] = wrap_phases(begin)
     x[13 + N :] = np.where(speed[:, None], case.phi_dot0[:, None], x[13 + N :])
-    course = Course(block, regime.has_speed_law, drives, regime.by_torque, regime.mixes_speed_and_torque, needs)
+    course = Course(block, regime.has_speed_law, laws, regime.by_torque, regime.mixes_speed_and_torque, needs)
     counts = np.maximum(1, np.ceil(np.diff(case.times, prepend=0.0) / case.dt * (1 - 1e-9))).astype(np.int32)
     counts *= parts if regime.by_torque else 1
     counts[0] = 0
@@ -394,43 +398,84 @@ def stand_for(stand: Stand, regime: Regime) -> Stand:
     )
 
 
-def parts_of(case: Case, block: Block) -> int:
-    """Parts into which the steps of a case are cut, so that none is too long for how steeply torque falls with speed.
+def _parts_of(case: Case, block: Block) -> tuple[Array, Mapping[int, str]]:
+    """Parts (n) into which steps are cut, so that none is too long for how steeply torque falls with speed.
 
-    block   of one state, that at t = 0: its mobility d phi_ddot / d tau counts
+    block   in the states at t = 0: their mobility d phi_ddot / d tau counts
 
-    Raises UsageError: a law is too steep.
+    Also why, by number of the state, a law is too steep.
     """
-    falls = case.regime.steepness([s.motor for s in case.stand.flywheels])
+    falls = np.array([case.regime.steepness(motors) for motors in block.motors]).T
     if not np.any(falls > 0.0):
-        return 1
+        return np.ones(block.n), {}
     block.given["locked"][:] = case.regime.has_speed_law
     mobility = _mobility(block)
-    fastest = float((mobility * falls).sum(axis=1).max())  # 1/s; upper bound of the eigenvalues
-    parts = max(1, math.ceil(case.dt * fastest / TORQUE_STEP))
-    if parts > MOST_PARTS:
-        worst = int(np.argmax(falls * np.diag(mobility)))
-        law, motor = case.regime.flywheels[worst].law, case.stand.flywheels[worst].motor
-        milder = "a wider `band`" if isinstance(law, RunUp) else "a `torque_speed` that is less steep"
-        rubs = motor is not None and 2.0 * slip(motor) > falls[worst]
+    rates = sum(mobility[:, s] * fall for s, fall in enumerate(falls))  # 1/s; in this order, whatever n is
+    parts = np.fmax(1.0, np.ceil(case.dt * np.max(rates, axis=0) / TORQUE_STEP))  # upper bounds of the eigenvalues
+    falls = np.broadcast_to(falls, mobility.shape[1:])
+    reasons = {}
+    for j in np.flatnonzero(parts > MOST_PARTS).tolist():
+        worst = int(np.argmax(falls[:, j] * np.diag(mobility[..., j])))
+        wheel, motor = case.regime.flywheels[worst], block.motors[j % len(block.motors)][worst]
+        milder = "a wider `band`" if isinstance(wheel.law, RunUp) else "a `torque_speed` that is less steep"
+        rubs = motor is not None and 2.0 * slip(motor) > falls[worst, j]
         mend = "a larger `coulomb_speed` of its motor" if rubs else milder
-        raise UsageError(
-            f"{case.regime.name}: flywheel {case.regime.flywheels[worst].name}: its torque falls by up to "
-            f"{falls[worst]:.3g} N m per rad/s, too steep for steps of {case.dt:.3g} s; expected {mend}, "
-            f"dt={case.dt * MOST_PARTS / parts:.2g}, or backend=scipy"
+        reasons[j] = (
+            f"{case.regime.name}: flywheel {wheel.name}: its torque falls by up to "
+            f"{falls[worst, j]:.3g} N m per rad/s, too steep for steps of {case.dt:.3g} s; expected {mend}, "
+            f"dt={case.dt * MOST_PARTS / parts[j]:.2g}, or backend=scipy"
         )
-    return parts
+    return parts, reasons
 
 
 def _mobility(block: Block) -> Array:
-    """d phi_ddot / d tau (N x N, magnitudes, 1/(kg m2)) at the one state of a block: phi'' is linear in the torques."""
+    """d phi_ddot / d tau (N, N, n; magnitudes, 1/(kg m2)) at the states of a block: phi'' is linear in the torques."""
     memory, rates = block.given, []
     for tau in (np.zeros(len(memory["tau"])), *np.eye(len(memory["tau"]))):
-        memory["tau"][:, 0] = tau
+        memory["tau"][:] = tau[:, None]
         block.run("coupled")
-        rates.append(memory["phi_ddot"][:, 0].astype(np.float64))
+        rates.append(memory["phi_ddot"].astype(np.float64))
     memory["tau"][:] = 0.0
-    return np.abs(np.array(rates[1:]) - rates[0]).T
+    return np.abs(np.array(rates[1:]) - rates[0]).swapaxes(0, 1)
+
+
+def together(
+    case: Case | None,
+    made: CompiledLibrary,
+    x: Array,
+    tables: StandTables | None,
+    size: int = SAMPLES,
+    lost: dict[int, str] | None = None,
+) -> Iterator[tuple[Array, Block, int]]:  # fmt: skip
+    """Blocks of states (13 + 2 N, n) that are stepped together; numbers of these, and the parts of their steps.
+
+    What is computed of a state depends on no other: those of a block have equal parts.
+
+    case  None: there are no steps
+    size  states of a block, at most, a multiple of all LANES
+    lost  states for which a law is too steep are left out, and the reasons put here; None: UsageError is raised
+    """
+    stand, n = made.source.stand, x.shape[1]
+
+    def blocks(rows: Array, of: StandTables | None) -> Iterator[tuple[Array, Block]]:
+        for first in range(0, len(rows), size):
+            block = Block(stand, made, len(rows[first : first + size]), of, first, case is not None and case.carried)
+            block.x[:] = x[:, rows[first : first + size]]
+            yield rows[first : first + size], block
+
+    parts = np.ones(n)
+    if case is not None and case.regime.by_torque:
+        for rows, block in blocks(np.arange(n), tables):
+            parts[rows], reasons = _parts_of(case, block)
+            for j, reason in reasons.items():
+                if lost is None:
+                    raise UsageError(reason)
+                parts[rows[j]], lost[int(rows[j])] = np.inf, reason
+    counts = np.unique(parts)
+    for count in counts[np.isfinite(counts)].tolist():
+        of = np.flatnonzero(parts == count)
+        for rows, block in blocks(of, tables if tables is None or len(counts) == 1 else tables.part(of)):
+            yield rows, block, int(count)
 
 
 def why_refused(stand: Stand, block: Block, j: int) -> str:

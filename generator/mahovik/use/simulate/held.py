@@ -15,14 +15,14 @@ from typing import cast
 
 import numpy as np
 
-from mahovik.core.stand.hold import is_closed, twist_of, twists
+from mahovik.core.stand.hold import carried_point, is_closed, twist_of, twists
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.core.stand.model import Hold, Stand, State, Vec3, rest_state
 from mahovik.errors import UsageError
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.algebra import Array, carrier_rotation, cross, quaternion_rotation, rotation_vector
-from mahovik.proof.verify.draw import ALLOWED, freedoms, home_attitude, quaternion_of, worst
+from mahovik.proof.reference.algebra import Array, cross, quaternion_rotation, rotation_vector
+from mahovik.proof.verify.draw import ALLOWED, freedoms, home_attitude, quaternion_of, with_quaternion, worst
 from mahovik.use.numeric.se3 import left_jacobian
 
 
@@ -66,27 +66,63 @@ def allowed_start(stand: Stand, state: State) -> State:
     off = np.array(state.V) - np.array(twist_of(hold, state.u))
     if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.V).max())):
         raise UsageError(f"start: V moves along {worst(off)}, which [hold] blocks; expected u of {freedoms(hold)}")
-    if not shows_freedoms(hold):
-        return state
-    off = _off_freedoms(stand, hold, state)
-    if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.position).max())):
-        k = int(np.argmax(np.abs(off)))
-        raise UsageError(
-            f"start: the pose is off the home pose by {abs(off[k]):.3g} {'m' if k < 3 else 'rad'} along {worst(off)}, "
-            f"which [hold] blocks; expected what {freedoms(hold)} reach, or no position"
-        )
+    turned = with_quaternion(stand, state).quaternion
+    if reason := blocked_pose(stand, np.array(state.position), np.array(turned)):
+        raise UsageError(f"start: {reason}")
     return state
+
+
+def place_at(stand: Stand, attitude: Array) -> Array:
+    """O1 in E0 (3, or n x 3; m), where the hold has a carrier of this attitude (4, or n x 4) that did not slide."""
+    hold = stand.hold
+    assert hold is not None
+    arm = _rotate(np.array(home_attitude(stand)), np.array(hold.pivot)) - _rotate(attitude, np.array(hold.pivot))
+    return np.asarray(np.array(hold.position) + arm)
+
+
+def blocked_pose(stand: Stand, position: Array, attitude: Array) -> str:
+    """Why a hold does not allow poses, in words; "" where it does. Of a set that is not closed all are allowed.
+
+    position: m, in E0, (3) or (n, 3); attitude: quaternions, w first, (4) or (n, 4)
+    """
+    hold = stand.hold
+    assert hold is not None
+    if not shows_freedoms(hold):
+        return ""
+    back = np.array(home_attitude(stand)) * np.array([1.0, -1.0, -1.0, -1.0])
+    pivot, slides = map(np.array, carried_point(hold))
+    gone = position - np.array(hold.position) + _rotate(attitude, pivot)
+    way = np.atleast_2d(_rotate(back, gone) - pivot)
+    # twice the vector part of the quaternion from home
+    turned = 2.0 * (back[0] * attitude[..., 1:] + attitude[..., :1] * back[1:] + np.cross(back[1:], attitude[..., 1:]))
+    turns = np.array([twists(hold)[3:, k] for k, freedom in enumerate(hold.freedoms) if freedom.kind == "turn"])
+    way, turned = np.broadcast_arrays(way - way @ slides.T, turned - (turned @ turns.T @ turns if len(turns) else 0.0))
+    off = np.concatenate([way, turned], axis=1)
+    far = np.flatnonzero(
+        np.abs(off).max(axis=1) > ALLOWED * np.maximum(1.0, np.abs(np.atleast_2d(position)).max(axis=1))
+    )
+    if not len(far):
+        return ""
+    first = off[far[0]]
+    k = int(np.argmax(np.abs(first)))
+    which = f" of state {far[0]}" if len(off) > 1 else ""
+    expected = f"what {freedoms(hold)} reach, or no position" if hold.freedoms else "the home pose, as clamped"
+    return (
+        f"position, attitude{which}: off by {abs(first[k]):.3g} {'m' if k < 3 else 'rad'} along {worst(first)}, "
+        f"which [hold] blocks; expected {expected}"
+    )
+
+
+def _rotate(attitude: Array, vector: Array) -> Array:
+    """C x of unit quaternions."""
+    axis = attitude[..., 1:]
+    cross_product = 2.0 * np.cross(axis, vector)
+    return np.asarray(vector + attitude[..., :1] * cross_product + np.cross(axis, cross_product))
 
 
 def shows_freedoms(hold: Hold) -> bool:
     """Whether a pose shows its freedoms: of a closed set, but not of a screw, whose turns a pose does not count."""
     return is_closed(hold) and all(freedom.kind != "twist" for freedom in hold.freedoms)
-
-
-def _off_freedoms(stand: Stand, hold: Hold, state: State) -> Array:
-    """Part (6; m, rad) of the twist from the home pose to that of the state which no freedom gives."""
-    twist, S = displacement(home(stand), carrier_rotation(stand, state), state), twists(hold)
-    return np.asarray(twist - S @ np.linalg.lstsq(S, twist, rcond=None)[0]) if S.shape[1] else twist
 
 
 @dataclass(frozen=True)

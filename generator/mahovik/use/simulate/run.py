@@ -15,7 +15,7 @@ from mahovik.errors import StateError
 from mahovik.proof.reference.algebra import carrier_rotation, quaternion_of
 from mahovik.use.measured.headers import AXES, CARRIER, RATES, sensors, state_columns, with_units
 from mahovik.use.simulate.case import Array, Case, wrap_phases
-from mahovik.use.simulate.course import NEEDS, Moments, motion, parts_of, stand_for, why_refused
+from mahovik.use.simulate.course import NEEDS, Moments, motion, stand_for, together, why_refused
 
 STATE_COLUMNS = tuple(with_units([*CARRIER["position"], *CARRIER["quaternion"], *CARRIER["V"]]))
 """Columns of the carrier's place, attitude and twist."""
@@ -86,10 +86,8 @@ def _moments(case: Case, backend: str, needs: Collection[str]) -> tuple[Block | 
     stand = stand_for(case.stand, case.regime)
     made = compile_library(stand, case.real, kind="states")
     x = np.array([*y, *wrap_phases(case.phi0), *case.phi_dot0])
-    blocks = [Block(stand, made, 1, carried=case.carried) for _ in range(2)]
-    for block in blocks:
-        block.x[:, 0] = x
-    return blocks[0], motion(case, blocks[0], needs, parts_of(case, blocks[1]))
+    _, block, parts = next(together(case, made, x[:, None], None))
+    return block, motion(case, block, needs, parts)
 
 
 def columns_of(stand: Stand, pieces: Sequence[Moments]) -> dict[str, Array]:
