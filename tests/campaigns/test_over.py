@@ -34,7 +34,7 @@ def computed(folder: Path, vary: str, over: str, wanted: dict[str, str], stand: 
     tables = "".join(f'[[quantity]]\nname = "{name}"\nwhat = {keys}\n' for name, keys in wanted.items())
     campaign = read(folder, f"{vary}[over]\n{over}\n{tables}", stand=stand, samples=samples)
     rows = campaign.rows(0, samples)
-    assert not any(rows["error"])
+    assert not any(rows["error"]) and not len(campaign.rows(0, 0)["sample"])
     return rows, [stand_of(campaign, rows, j) for j in range(samples)]
 
 
@@ -298,6 +298,22 @@ def test_a_pendulum_hangs_from_the_pivot_of_each_sample(tmp_path: Path) -> None:
     over = "regime = { default = { hold = true } }\nuntil = 0.02"
     rows, _ = computed(tmp_path, '[vary]\n"hold.pivot[0]" = { uniform = [0, 0.08] }\n', over, wanted, "pendulum.toml")
     assert rows["F"] == pytest.approx(21 * 9.81, rel=1e-9) and np.all(rows["rate"] < 1e-9)
+    rows, _ = computed(tmp_path, '[vary]\n"carrier.mass" = { uniform = [19, 21] }\n', over, wanted, "pendulum.toml")
+    assert rows["F"] == pytest.approx((1 + rows["carrier.mass"]) * 9.81, rel=1e-9) and np.all(rows["rate"] < 1e-9)
+
+
+def test_what_all_samples_are_refused_for_is_refused_once(tmp_path: Path) -> None:
+    (tmp_path / "laden.toml").write_text(LADEN + HELD, encoding="utf-8")
+    (tmp_path / "p.json").write_text(programme_text(shaker()[2]), encoding="utf-8")
+    (tmp_path / "m.json").write_bytes(stands.motions("shaker2")[0].read_bytes())
+    vary, wanted = '[vary]\n"hold.position[0]" = { uniform = [0, 1] }\n', {"a": '"peak acceleration"\nat = "carrier"'}
+    runs = {
+        "speeds = { a = 100 }": "stream_profile",
+        'programme = "p.json"\nmotion = "m.json"': r"position\[0\] varies",
+    }
+    for over, words in runs.items():
+        with pytest.raises(mahovik.MahovikError, match=words):
+            computed(tmp_path, vary, over, wanted, "laden.toml")
 
 
 def test_states_are_those_of_the_model(tmp_path: Path) -> None:

@@ -7,8 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import mahovik
 from mahovik import stands
 from mahovik.core.stand import Stand, load
+from mahovik.errors import CheckError
 from mahovik.laws.leg.law import Leg, Legs
 from mahovik.use.study.linear import linear_model
 from mahovik.use.vibration.plant import NODES, Plant, Scene, campbell, mean_slopes, natural_at
@@ -51,6 +53,12 @@ def test_at_a_crossing_the_order_is_a_natural_frequency() -> None:
             crossing.frequency, rel=1e-6
         )
         assert 0.0 < crossing.damping < 1.0
+
+
+def test_a_clamped_carrier_is_refused() -> None:
+    stand = mahovik.example("sat4").replace({"hold": {"freedoms": []}, "task": None})
+    with pytest.raises(CheckError, match=r"sat4: no natural frequencies: \[hold\] clamps the carrier"):
+        mahovik.modes(stand, speed="all=0..100")
 
 
 def test_a_free_stand_nutates() -> None:

@@ -37,7 +37,7 @@ from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.use.control.loop import coordinates, required_state
 from mahovik.use.measured.headers import sensors
-from mahovik.use.numeric.frame import Frame
+from mahovik.use.numeric.frame import Frame, uniform_stream
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.simulate.case import HINT, START_KEYS, Case, read_start
 from mahovik.use.simulate.course import FUNCTIONS, SAMPLES, Moments, motion, stand_for, together, why_refused
@@ -342,7 +342,7 @@ class AtRest:
         reasons, n = dict[int, str](), len(tables)
         block, moving = Block(self._stand, self._made, n, tables), np.ones(n, dtype=np.bool_)
         block.x[:] = self._column
-        for _ in range(0 if _is_moved(tables) else self.MOST):
+        for _ in range(self.MOST if n and not _is_moved(tables) else 0):
             block.call("forward")
             V_dot = block.given["V_dot"]
             moving = np.any(np.abs(V_dot) > self._least, axis=0)
@@ -443,6 +443,7 @@ def _at_states(block: Block, states: Array, _parts: int, needs: set[str]) -> Ite
 def _steady(stand: Stand, over: SpeedsTable, quantities: Sequence[Quantity]) -> Callable[[Stand], Mapping[str, float]]:
     """Numbers of the steady motion of a stand at constant speeds, as `vibration` has it. Raises UsageError: a sweep."""
     texts = (f"{name}={x}" if isinstance(x, str) else f"{name}={x!r} rad/s" for name, x in over.speeds.items())
+    uniform_stream(stand)  # refused once, and not for each sample
     plan = read_speeds(stand, list(texts))
     if plan.sweep is not None:
         raise UsageError("speeds: a range of speeds, expected one speed of each flywheel")

@@ -26,6 +26,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.model import Stand, State
+from mahovik.errors import CheckError
 from mahovik.proof.reference.algebra import carrier_rotation
 from mahovik.use.numeric.course import Chart, wrench
 from mahovik.use.numeric.frame import Frame, Twists, in_fluid, uniform_stream
@@ -334,7 +335,12 @@ class Campbell:
 
 
 def campbell(scene: Scene, plan: SpeedPlan, speed: Array) -> Campbell:
-    """The diagram at values (S, rad/s) of the swept speed of a plan; the orders are those of its flywheel."""
+    """The diagram at values (S, rad/s) of the swept speed of a plan; the orders are those of its flywheel.
+
+    Raises CheckError: the carrier is clamped.
+    """
+    if not scene.count:
+        raise CheckError(f"{scene.stand.name}: no natural frequencies: [hold] clamps the carrier; give freedoms")
     plant, orders = Plant.of(scene), orders_of(scene)
     natural, damping, growth = natural_at(plant, plan.rows(speed))
     met = [crossing for order in orders for crossing in crossings(plant, plan, speed, natural, 0.0, order)]
