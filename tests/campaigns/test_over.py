@@ -156,7 +156,7 @@ stiffness = 500
 LAWS = {"a": {"run_up": {"torque": 0.5, "to": 250.0}}, "b": {"torque": 0.4}}
 
 
-def equals_its_own_stand(folder: Path, hold: str, start: Any, vary: str, samples: int) -> None:
+def check_rows(folder: Path, hold: str, start: Any, vary: str, samples: int) -> None:
     """To the bit each row of a campaign of the laden stand is the motion of its own stand, which is not built there."""
     (folder / "laden.toml").write_text(LADEN + hold, encoding="utf-8")
     keys: dict[str, Any] = {"regime": {"flywheel": LAWS}, "dt": 1e-3, "until": 0.01, "start": start}
@@ -192,7 +192,7 @@ def test_a_row_is_the_motion_of_its_own_stand(
     number = data.draw(st.sampled_from(numbers))
     low, high = sorted([number.value * 0.999, number.value * 1.001]) if number.value else (0.0, 1e-6)
     vary = f'"{number.path}" = {{ uniform = [{low!r}, {high!r}] }}'
-    equals_its_own_stand(tmp_path_factory.mktemp("campaign"), hold, start, vary, samples=1)
+    check_rows(tmp_path_factory.mktemp("campaign"), hold, start, vary, samples=1)
 
 
 @pytest.mark.parametrize(
@@ -205,7 +205,7 @@ def test_a_row_is_the_motion_of_its_own_stand(
     ids=["more parts of a step", "points below rest", "a motor and a body", "place", "pivot"],
 )  # fmt: skip
 def test_motors_and_places_of_a_hold_are_rows_of_one_build(tmp_path: Path, hold: str, start: Any, vary: str) -> None:
-    equals_its_own_stand(tmp_path, hold, start, vary, samples=8)
+    check_rows(tmp_path, hold, start, vary, samples=8)
 
 
 def _toml(value: Any) -> str:

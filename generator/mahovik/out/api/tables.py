@@ -240,8 +240,8 @@ def variants(stand: Stand, real: str, samples: Samples) -> Variants:
     interpreter, doubtful = Interpreter(program), np.zeros(n, dtype=np.bool_)
     parameters: dict[str, Any] = {}
     table: dict[str, Any] = {}
-    own: Motors = tuple(wheel.motor for wheel in stand.flywheels)
-    motors = [own] * n
+    nominal: Motors = tuple(wheel.motor for wheel in stand.flywheels)
+    motors = [nominal] * n
     readings: list[tuple[NDArray[np.int64], NDArray[np.bool_], list[Any]]] = []
     rows: NDArray[np.int64] = np.arange(n)
     while rows.size or not readings:
@@ -261,13 +261,13 @@ def variants(stand: Stand, real: str, samples: Samples) -> Variants:
         kept = ~run.diverged
         doubtful[rows[kept]] = unsure[kept]
         of_motors = tuple(wheel.motor for wheel in sampled.flywheels)
-        if any(isinstance(x, Column) for x in numbers_of(of_motors)) or of_motors != own:
+        if any(isinstance(x, Column) for x in numbers_of(of_motors)) or of_motors != nominal:
             for k in np.flatnonzero(kept).tolist():
                 motors[rows[k]] = of_sample(of_motors, k)
         readings.append((rows[kept], kept, numbers))
         rows = rows[run.diverged]
     varied = [_varied([(at, kept, numbers[i]) for at, kept, numbers in readings], n) for i in range(len(numbers))]
-    return Variants(parameters, table, varied, doubtful, motors if any(of is not own for of in motors) else None)
+    return Variants(parameters, table, varied, doubtful, motors if any(of is not nominal for of in motors) else None)
 
 
 def _varied(readings: Sequence[tuple[NDArray[np.int64], NDArray[np.bool_], Any]], n: int) -> Array | None:

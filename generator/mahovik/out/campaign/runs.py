@@ -288,14 +288,14 @@ def _column(stand: CoreStand, state: State) -> Array:
 
 
 def _begin_at(stand: CoreStand, of: Callable[[CoreStand], State], tables: Tables) -> tuple[Array, Mapping[int, str]]:
-    return _of_each(stand, lambda one: _column(stand, of(one))[None], tables)
+    return _beginnings(stand, lambda one: _column(stand, of(one))[None], tables)
 
 
 def _is_moved(tables: Tables) -> bool:
     return any(map(_PLACE.match, tables.samples.changes))
 
 
-def _of_each(
+def _beginnings(
     stand: CoreStand, of: Callable[[CoreStand], Array], tables: Tables
 ) -> tuple[Array, Mapping[int, str]]:  # fmt: skip
     """See `Begin`: by a function of the stand, or of that of each sample where the carrier is held elsewhere."""
@@ -425,7 +425,7 @@ def _over_states(stand: Stand, path: Path, quantities: Sequence[Quantity]) -> Ti
             raise UsageError(f"states: {path.name}: no state, expected one a line")
         return np.array(states)
 
-    return TimeRunner(stand, quantities, partial(_of_each, stand, of), _at_states, len(of(stand)))
+    return TimeRunner(stand, quantities, partial(_beginnings, stand, of), _at_states, len(of(stand)))
 
 
 def _at_states(block: Block, states: Array, _parts: int, needs: set[str]) -> Iterator[Moments]:
