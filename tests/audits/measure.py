@@ -16,7 +16,6 @@ from mahovik.proof.diagnose.diagnosis import Diagnoser
 from mahovik.proof.diagnose.search import TermSearch, TermSearchResult
 from mahovik.proof.reference.algebra import twists
 from mahovik.proof.reference.evaluate import held_state
-from mahovik.proof.reference.motion import bias
 from mahovik.proof.reference.pieces import PlacedBody
 from mahovik.proof.verify.check import difference
 from mahovik.proof.verify.scales import scales_of
@@ -139,7 +138,7 @@ def _components(audit: Audit, requests: list[Request]) -> dict[str, float]:
         at = reference.pieces(audit.stand, request.state)
         V_dot = np.array(ask(audit, request)["V_dot"])
         rates = np.array(request.state.phi_ddot)
-        error = at.K @ V_dot + at.I @ rates + bias(at) - at.F
+        error = at.K @ V_dot + at.I @ rates + at.bias - at.F
         size = np.abs(at.K) @ np.abs(at.V_r_dot(V_dot)) + np.abs(at.I) @ np.abs(rates) + _size(at)
         rows = {letter: float(off) for letter, off in zip(WRENCH_LETTERS, np.abs(error) / size, strict=True)}
         for name, off in rows.items():

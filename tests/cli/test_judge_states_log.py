@@ -20,7 +20,6 @@ from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.algebra import twists
 from mahovik.proof.reference.coordinates import coordinates_at
-from mahovik.proof.reference.motion import bias
 from mahovik.proof.verify.draw import onto_hold, quaternion_of
 from verify.holds import PENDULUM
 
@@ -87,7 +86,7 @@ def log_of(
     for k in range(count):
         state, u = state_and_speeds(stand, rng, speeds)
         at = reference.pieces(stand, state)
-        right = at.F - bias(at) - at.I @ np.array(state.phi_ddot)
+        right = at.F - at.bias - at.I @ np.array(state.phi_ddot)
         change(right, at)
         u_dot = np.linalg.solve(S.T @ at.K @ S, S.T @ right)
         if hold is not None and by_freedoms:
@@ -218,7 +217,7 @@ def motion_of(stand: Stand, change: Change, count: int = 300, dt: float = 0.004)
 
     def rate(y: Any) -> Any:
         at = reference.pieces(stand, state(y))
-        right = at.F - bias(at)
+        right = at.F - at.bias
         change(right, at)
         w, *r = y[:4]
         turned = 0.5 * np.array([-np.dot(r, y[7:]), *(w * y[7:] + np.cross(r, y[7:]))])

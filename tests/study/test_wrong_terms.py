@@ -27,7 +27,7 @@ from mahovik.proof.diagnose.search import TermSearch, TermSearchResult
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.algebra import twists
 from mahovik.proof.reference.evaluate import body_wrenches, held_state
-from mahovik.proof.reference.motion import bias, torque
+from mahovik.proof.reference.motion import torque
 from mahovik.proof.reference.pieces import LawParts, body_wrench
 from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
@@ -87,7 +87,7 @@ def answer_with(stand: Stand, change: Change, request: Request) -> Mapping[str, 
     S = np.eye(6) if stand.hold is None else twists(stand.hold)
     state = held_state(stand, request.state) if held else request.state
     at = reference.pieces(stand, state)
-    K, right, phi_ddot = at.K.copy(), at.F - bias(at), np.array(state.phi_ddot)
+    K, right, phi_ddot = at.K.copy(), at.F - at.bias, np.array(state.phi_ddot)
     change(K, right, at)
     right = right - (K - at.K) @ at.stream_rate  # V_r* is V* and this
     if request.want == ("reaction",):
@@ -228,7 +228,7 @@ def test_a_momentum_without_a_name_hinders_no_other() -> None:
         at = reference.pieces(stand, request.state)
         if request.want == ("momentum",):
             return {"Z": (np.exp(at.V_r) + at.V_r).tolist()}
-        right = at.F - bias(at)
+        right = at.F - at.bias
         right[2] -= 2 * total_mass("hull") * at.V_r[0] * at.V_r[4]
         return {"V_dot": np.linalg.solve(at.K, right).tolist()}
 
@@ -302,7 +302,7 @@ def search_law_terms(wrong: Callable[[Stand], Stand], rows: Sequence[int] = rang
     def answers(request: Request) -> Mapping[str, Any]:
         right_stand = stand_at(vehicle(), request.state)
         at, other = (reference.pieces(x, request.state) for x in (right_stand, wrong(right_stand)))
-        right = at.F - bias(at)
+        right = at.F - at.bias
         change = body_wrench(other.terms["carrier"]) - body_wrench(at.terms["carrier"])
         right[list(rows)] += change[list(rows)]
         return {"V_dot": np.linalg.solve(at.K, right).tolist()}

@@ -44,7 +44,7 @@ from mahovik.proof.diagnose.columns import (
 )
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.algebra import Array, vector
-from mahovik.proof.reference.motion import bias, mounts, reaction, torque
+from mahovik.proof.reference.motion import mounts, reaction, torque
 from mahovik.proof.reference.pieces import LawTerm, momentum
 from mahovik.proof.verify.draw import with_drawn_actuators
 from mahovik.proof.verify.foreign import Program
@@ -564,7 +564,7 @@ def _is_there(factors: Array) -> Any:
 
 def _magnitudes(at: Pieces, state: State) -> Array:
     """Magnitudes of the terms of the wrench on the carrier (6)."""
-    return np.abs(at.K) @ np.abs(at.V_r_dot(vector(state.V_dot))) + np.abs(at.F) + np.abs(bias(at))
+    return np.abs(at.K) @ np.abs(at.V_r_dot(vector(state.V_dot))) + np.abs(at.F) + np.abs(at.bias)
 
 
 def _other_wrenches(at: Pieces) -> Array:

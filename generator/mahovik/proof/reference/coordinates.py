@@ -40,7 +40,7 @@ from mahovik.proof.reference.algebra import (
     vector,
     zero,
 )
-from mahovik.proof.reference.motion import answer_forward, bias
+from mahovik.proof.reference.motion import answer_forward
 from mahovik.proof.reference.pieces import Pieces, velocity_matrix
 
 SINGULAR = 1e-6
@@ -96,7 +96,7 @@ def _answer_free(at: Pieces, stand: Stand, state: State) -> Values:
     q_dot = solve(A, at.V)
     D = kinematic_matrix_rate(stand.angles, angles, q_dot[3:])
     I0, J0 = at.K @ A, at.K @ D + velocity_matrix(at.K, at.K_dot, at.V) @ A
-    q_ddot = solve(I0, at.F - at.K @ D @ q_dot - bias(at) - at.I @ vector(state.phi_ddot))
+    q_ddot = solve(I0, at.F - at.K @ D @ q_dot - at.bias - at.I @ vector(state.phi_ddot))
     return {"A": A, "D": D, "I0": I0, "J0": J0, "q_dot": q_dot, "q_ddot": q_ddot}
 
 

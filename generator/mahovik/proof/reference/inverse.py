@@ -18,7 +18,6 @@ from mahovik.core.stand.model import COMPONENTS, Motor, Stand, State, Task
 from mahovik.errors import StateError
 from mahovik.proof.reference.algebra import E6, Array, Values, cross, solve, solve_symmetric, vector
 from mahovik.proof.reference.motion import (
-    bias,
     coupled,
     forward,
     full_mass_matrix,
@@ -98,7 +97,7 @@ def inverse_root(S: Array) -> Array:
 
 def demand(at: Pieces, V_dot: Array) -> Array:
     """I phi'' of (12): F - K V* - M V - J phi' (6; N, N m), for V_dot (6) relative to E0."""
-    return at.F - at.K @ V_dot - bias(at)
+    return at.F - at.K @ V_dot - at.bias
 
 
 def scaled_demand(at: Pieces, V_dot: Array) -> ScaledDemand:
@@ -327,7 +326,7 @@ def scaled_task(at: Pieces, rows: TaskRows, demand: Array) -> ScaledDemand:
     G^-1/2 is R^-T of K^-1/2 S^T = Q R, which loses no digits to the squares in G.
     """
     to_motion = np.array([solve_symmetric(at.K, row) for row in rows.S])  # S K^-1
-    c = to_motion @ (at.F - bias(at)) + rows.s - demand
+    c = to_motion @ (at.F - at.bias) + rows.s - demand
     R = np.asarray(np.linalg.qr(inverse_root(at.K) @ rows.S.T, mode="r"), dtype=np.float64)
     return ScaledDemand(to_motion @ at.I, c, np.asarray(np.linalg.inv(R.T)), inverse_root(at.Theta_ff).T)
 

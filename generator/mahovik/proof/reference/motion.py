@@ -29,18 +29,9 @@ from mahovik.proof.reference.algebra import (
 from mahovik.proof.reference.pieces import (
     Bodies,
     Pieces,
-    coupling_bias,
     instrument_transfer,
     mount_transfer,
-    velocity_matrix,
 )
-
-
-def bias(at: Pieces) -> Array:
-    """M V + J phi' (6; N, N m) of (8): all velocity terms together. With a stream, Lambda takes V_r and its rate."""
-    of_bodies = velocity_matrix(at.K_bodies, at.K_dot, at.V) @ at.V
-    of_fluid = at.Lambda @ at.stream_rate + Phi(at.V_r) @ at.Lambda @ at.V_r
-    return np.asarray(of_bodies + of_fluid + coupling_bias(at.bodies.flywheels, at.V) @ at.phi_dot)
 
 
 def forward(at: Pieces, phi_ddot: Array) -> Array:
@@ -53,7 +44,7 @@ def reaction(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
 
     What a force table under the carrier reads.
     """
-    return np.asarray(at.K @ V_dot + bias(at) + at.I @ phi_ddot - at.F)
+    return np.asarray(at.K @ V_dot + at.bias + at.I @ phi_ddot - at.F)
 
 
 # Drive torque: what the mount's drive exerts on each flywheel about its spin axis e1.
@@ -111,7 +102,7 @@ def rates(at: Pieces, tau: Array, phi_ddot: Array, free: Array) -> tuple[Array, 
     I^T S u* + Theta_ff phi'' = tau - velocity terms + f^T P_s.
     """
     m = at.S.shape[1]
-    right = at.S.T @ (at.F - bias(at) - at.I @ np.where(free, 0.0, phi_ddot))
+    right = at.S.T @ (at.F - at.bias - at.I @ np.where(free, 0.0, phi_ddot))
     if not np.any(free):
         return solve_symmetric(at.S.T @ at.K @ at.S, right), phi_ddot
     mass, right = full_mass_matrix(at), np.concatenate([right, spin_up_torque(at, tau)])

@@ -283,6 +283,13 @@ class Pieces:
         """(omega x C^T u, 0) (6, m/s2): the stream, steady in E0, turns in E1."""
         return np.concatenate([cross(self.V[3:]) @ self.u, np.zeros(3)])
 
+    @cached_property
+    def bias(self) -> Array:
+        """M V + J phi' (6; N, N m) of (8): the velocity terms. With a stream, Lambda takes V_r and its rate."""
+        of_bodies = velocity_matrix(self.K_bodies, self.K_dot, self.V) @ self.V
+        of_fluid = self.Lambda @ self.stream_rate + Phi(self.V_r) @ self.Lambda @ self.V_r
+        return np.asarray(of_bodies + of_fluid + coupling_bias(self.bodies.flywheels, self.V) @ self.phi_dot)
+
 
 def mass_matrices(k: Bodies) -> Array:
     """Theta_1, Lp Theta_p Lp^T, Ls Theta_s Ls^T (nx6x6; kg, kg m, kg m2), one of each body."""

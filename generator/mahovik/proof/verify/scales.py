@@ -25,7 +25,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.algebra import Array, Values, times, transpose, twists, vector
 from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.reference.inverse import Cuts, inverse_root, scaled_demand
-from mahovik.proof.reference.pieces import Bodies, Pieces, bodies_of
+from mahovik.proof.reference.pieces import Bodies, Pieces, bodies_of, coupling_bias, velocity_matrix
 from mahovik.proof.verify.states import stand_at
 
 ORDINARY = 2
@@ -246,7 +246,8 @@ class Scales:
         if not S.size:
             return 0.0
         root = inverse_root(at.K)
-        terms = [*_terms(at, vector(state.V_dot), vector(state.phi_ddot)), np.abs(at.M) @ np.abs(at.V_r)]
+        V, _, M, _ = _velocity_terms(at)
+        terms = [*_terms(at, vector(state.V_dot), vector(state.phi_ddot)), np.abs(M) @ np.abs(V)]
         size = sum(np.linalg.norm(root @ term) for term in terms)
         along = RESTING * size * np.sqrt(np.diag(np.linalg.inv(S.T @ at.K @ S)))
         if name == "V_dot":
@@ -335,9 +336,17 @@ def turning(at: Pieces) -> Array:
     return np.abs(at.phi_dot[:, None] * times(wheels.Theta, transpose(wheels.L) @ at.V))
 
 
+def _velocity_terms(at: Pieces) -> tuple[Array, Array, Array, Array]:
+    """V_r of (8), what its rate is beside V*, M and J; of rigid bodies alone those of V."""
+    if at.Lambda.any() or not at.u.any():
+        return at.V_r, at.stream_rate, at.M, at.J
+    return at.V, np.zeros(6), velocity_matrix(at.K, at.K_dot, at.V), coupling_bias(at.bodies.flywheels, at.V)
+
+
 def _terms(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
-    """F, K V_r*, M V_r, J phi', I phi'' of (8), one below the other (5x6)."""
-    return np.stack([at.F, at.K @ at.V_r_dot(V_dot), at.M @ at.V_r, at.J @ at.phi_dot, at.I @ phi_ddot])
+    """F, K V*, M V, J phi', I phi'' of (8), one below the other (5x6)."""
+    V, drift, M, J = _velocity_terms(at)
+    return np.stack([at.F, at.K @ (V_dot + drift), M @ V, J @ at.phi_dot, at.I @ phi_ddot])
 
 
 def is_word(value: Any) -> bool:

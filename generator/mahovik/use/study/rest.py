@@ -16,7 +16,6 @@ from mahovik.core.stand.model import Quaternion, Stand, State, Vec3, Vec6
 from mahovik.errors import CheckError, StateError
 from mahovik.proof.reference import Pieces, pieces
 from mahovik.proof.reference.algebra import attitude, carrier_rotation, rotation_vector
-from mahovik.proof.reference.motion import bias
 from mahovik.proof.reference.pieces import bodies_of, stream_at
 from mahovik.use.simulate.held import displacement, home, move
 
@@ -205,7 +204,7 @@ class _Search:
         h, last, stuck, loose_before, carried = 0.0, math.inf, 0, math.inf, True
         for _ in range(MOST):
             at = self.at(self.state)
-            V_dot, S, pull = self.acceleration(at), self.stiffness(at.C), self.scale @ (at.F - bias(at))
+            V_dot, S, pull = self.acceleration(at), self.stiffness(at.C), self.scale @ (at.F - at.bias)
             _, sizes, rows = np.linalg.svd(S)
             soft = sizes <= FREE * sizes[0]
             if np.all(np.abs(V_dot) <= self.tolerance(at)):
@@ -267,7 +266,7 @@ class _Search:
         """Whether the force on the whole stand is zero, to rounding."""
         bodies: tuple[Any, ...] = (*at.fixed, *at.flywheels)
         sizes = sum(np.linalg.norm(w[:3]) for k in bodies for w in at.terms[k.body.name].values())
-        return bool(np.linalg.norm((at.F - bias(at))[:3]) <= 1e-14 * sizes)
+        return bool(np.linalg.norm((at.F - at.bias)[:3]) <= 1e-14 * sizes)
 
     def at(self, state: State) -> Pieces:
         """The pieces of the equations at a state."""
@@ -275,7 +274,7 @@ class _Search:
 
     def acceleration(self, at: Pieces) -> Array:
         """V_dot (6) by (8) with flywheels held."""
-        return np.asarray(self.scale.T @ (self.scale @ (at.F - bias(at))))
+        return np.asarray(self.scale.T @ (self.scale @ (at.F - at.bias)))
 
     def tolerance(self, at: Pieces) -> Array:
         """Largest V_dot in equilibrium (6): AT_REST, or rounding of the balancing wrenches."""
@@ -307,7 +306,7 @@ class _Search:
         Of a held carrier both in E1, where S is constant.
         """
         at = self.at(state)
-        total = at.F - bias(at)
+        total = at.F - at.bias
         if self.stand.hold is not None:
             return np.asarray(total)
         return np.concatenate([C.T @ at.C @ total[:3], total[3:]])
@@ -325,7 +324,7 @@ class _Search:
     def reason(self, at: Pieces) -> str:
         """Message: why there is no equilibrium."""
         V_dot = self.acceleration(at)
-        total = at.F - bias(at)
+        total = at.F - at.bias
         force, moment = at.C @ total[:3], total[3:]
         size, turning = float(np.linalg.norm(force)), float(np.linalg.norm(moment))
         acceleration = ", ".join(f"{x:.4g}" for x in V_dot)

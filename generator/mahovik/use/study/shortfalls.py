@@ -27,7 +27,7 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.algebra import Array, times
 from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.reference.inverse import CUTS, TaskRows, least_error, scaled_task, shares_of, task_rows, weights
-from mahovik.proof.reference.motion import bias, forward, torque
+from mahovik.proof.reference.motion import forward, torque
 from mahovik.proof.reference.pieces import (
     Bodies,
     Pieces,
@@ -286,7 +286,7 @@ def with_one_balanced(at: Pieces, balanced: Pieces) -> dict[str, Array]:
     turning = wheels.phi_dot[:, None]
     F = times(wheels.L, balanced.P_s - at.P_s)
     changed_bias = times(velocity_matrix(K, K_dot, at.V), at.V) + coupling_bias(change, at.V).T * turning
-    K_changed, pull = at.K + K, at.F - bias(at) + F - changed_bias
+    K_changed, pull = at.K + K, at.F - at.bias + F - changed_bias
     mass = at.S.T @ K_changed @ at.S  # of u_dot, V_dot = S u_dot
     unit = 1.0 / np.sqrt(np.abs(np.diagonal(mass, axis1=1, axis2=2)))  # it is scaled to a unit diagonal
     scaled = mass * unit[:, :, None] * unit[:, None, :]
