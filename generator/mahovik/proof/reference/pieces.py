@@ -244,12 +244,12 @@ class Pieces:
         """Speeds of the flywheels (N, rad/s)."""
         return self.bodies.flywheels.phi_dot
 
-    @property
+    @cached_property
     def M(self) -> Array:
         """M at V_r (6x6), (9)."""
-        return velocity_matrix(self.K, self.K_dot, self.V_r)
+        return velocity_matrix(self.K_bodies + self.Lambda, self.K_dot, self.V_r)
 
-    @property
+    @cached_property
     def J(self) -> Array:
         """J at V_r (6xN), (9)."""
         return coupling_bias(self.bodies.flywheels, self.V_r)

@@ -340,7 +340,7 @@ def _velocity_terms(at: Pieces) -> tuple[Array, Array, Array, Array]:
     """V_r of (8), what its rate is beside V*, M and J; of rigid bodies alone those of V."""
     if at.Lambda.any() or not at.u.any():
         return at.V_r, at.stream_rate, at.M, at.J
-    return at.V, np.zeros(6), velocity_matrix(at.K, at.K_dot, at.V), coupling_bias(at.bodies.flywheels, at.V)
+    return at.V, np.zeros(6), velocity_matrix(at.K_bodies, at.K_dot, at.V), coupling_bias(at.bodies.flywheels, at.V)
 
 
 def _terms(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
