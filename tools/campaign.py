@@ -12,7 +12,6 @@ import argparse
 import json
 import math
 import platform
-import subprocess
 import sys
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
@@ -21,6 +20,8 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import Any
+
+from nightly import git
 
 from campaigns import ROOT, Row
 
@@ -72,11 +73,9 @@ def results(name: str) -> dict[str, Result]:
 
 def keep(name: str, table: str, rows: Iterable[Row], command: str) -> None:
     """Keep rows that were measured just now, and render the page."""
-    said = subprocess.run(
-        ["git", "rev-parse", "--short=8", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=True
-    )
+    commit = git("rev-parse", "--short=8", "HEAD")
     day = datetime.now(UTC).date().isoformat()
-    write(name, results(name) | {table: Result(command, said.stdout.strip(), day, processor(), [*map(plain, rows)])})
+    write(name, results(name) | {table: Result(command, commit, day, processor(), [*map(plain, rows)])})
     try:
         PAGE.write_text(page(), encoding="utf-8", newline="\n")
     except ModuleNotFoundError as error:  # the environment of the benchmark has no judges

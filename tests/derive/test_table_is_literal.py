@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
+from formulas import derive_all
 
 from derive import table
 from derive.exact import circle, remainders, rotation, trigonometric
 from mahovik.core.derive import accumulate, carrier, flywheel
 from mahovik.core.derive.screw import Phi, T, Theta, bracket, elementary, from_six, six_of, symmetric, vector
 from mahovik.core.formula.derived import FILE
-from mahovik.core.formula.ordering import derive_all
 
 W = flywheel.generic()
 CIRCLE = circle(sp.Symbol("c"), sp.Symbol("s"))

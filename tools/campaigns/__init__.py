@@ -22,20 +22,11 @@ for _name in ONE_THREAD:  # before NumPy is loaded
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tests"))  # published cases and models of others stand there
 REALS = ("double", "float")
+CORES = os.cpu_count() or 1
 
 Row = Mapping[str, Any]
 Rows = Sequence[Row]
 Cell = str | Callable[[Any], str]
-
-
-def always(row: Row) -> bool:
-    """Nothing is promised of the row."""
-    return True
-
-
-def as_kept(rows: Rows) -> Rows:
-    """All rows."""
-    return rows
 
 
 @dataclass(frozen=True)
@@ -45,18 +36,18 @@ class Table:
     measure  the rows for the campaign's options, in the order of the columns
     columns  format of each column by its title
     claim    what kept rows show, in a sentence
-    good     whether a row is as promised
+    good     whether a row is as promised; without it nothing is promised
     note     what stands above the table
-    shown    rows that the page shows, made of those that are kept
+    shown    rows that the page shows, made of those that are kept; without it all
     hidden   columns that the page does not show
     """
 
     measure: Callable[[Namespace], Iterable[Sequence[Any]]]
     columns: Mapping[str, Cell]
     claim: Callable[[Rows], str]
-    good: Callable[[Row], bool] = always
+    good: Callable[[Row], bool] = lambda row: True
     note: str = ""
-    shown: Callable[[Rows], Rows] = as_kept
+    shown: Callable[[Rows], Rows] = lambda rows: rows
     hidden: tuple[str, ...] = ()
 
     def rows(self, lines: Iterable[Sequence[Any]]) -> Iterator[Row]:
@@ -88,11 +79,6 @@ def cell(value: Any, form: Cell) -> str:
 def at_most(value: str, limit: str) -> Callable[[Row], bool]:
     """Whether the figure of one column is at most that of another; without a limit nothing is promised."""
     return lambda row: row[limit] is None or row[value] <= row[limit]
-
-
-def cores() -> int:
-    """Number of processors."""
-    return os.cpu_count() or 1
 
 
 def side_by_side(function: Callable[..., Any], jobs: int, *columns: Sequence[Any]) -> Iterator[Any]:

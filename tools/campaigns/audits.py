@@ -8,9 +8,9 @@ from argparse import Namespace
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
-from campaigns import Row, Rows, Table, cores, side_by_side
+from campaigns import CORES, Row, Rows, Table, side_by_side
 
-OPTIONS = {"jobs": cores()}
+OPTIONS = {"jobs": CORES}
 
 LARGE = 1e-11
 """Differences over the natural scale above this are no rounding."""

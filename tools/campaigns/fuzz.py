@@ -22,7 +22,7 @@ from typing import Any
 
 from checks import compile_harness, fuzz, minimise
 
-from campaigns import REALS, ROOT, Rows, Table, cores
+from campaigns import CORES, REALS, ROOT, Rows, Table
 from mahovik.core.stand import load
 from mahovik.core.toolchain.checks import FLAGS, fuzz_project, sources
 from mahovik.errors import CheckError
@@ -86,7 +86,7 @@ def covered_share(folder: Path, stand: str, inputs: Sequence[Path]) -> tuple[flo
 def measure(options: Namespace) -> Iterator[tuple[Any, ...]]:
     """A row for each stand and element type; runs are shared by size, seconds evenly."""
     cases = [(stand, real) for stand in options.stands.split(",") for real in REALS]
-    jobs = min(len(cases), cores())
+    jobs = min(len(cases), CORES)
     shares = [1.0 / (1 + len(load(path(stand)).flywheels)) for stand, _ in cases]
     seconds = options.seconds and max(1, options.seconds * jobs // len(cases))
     with ThreadPoolExecutor(jobs) as pool:

@@ -19,7 +19,7 @@ from typing import Any
 
 from checks import Proof, count_by_rule, findings, prove, warnings_of
 
-from campaigns import REALS, ROOT, Row, Rows, Table, cores, side_by_side
+from campaigns import CORES, REALS, ROOT, Row, Rows, Table, side_by_side
 from mahovik.contract.functions import ALL
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.eva import Driver, drivers, eva_files
@@ -30,7 +30,7 @@ from mahovik.core.toolchain.checks import DEVIATIONS, STANDING_FINDINGS
 from mahovik.stands import names, path
 from mahovik.writing import write_all
 
-OPTIONS: dict[str, Any] = {"stands": "", "drivers": "", "quick": False, "tried": False, "jobs": cores()}
+OPTIONS: dict[str, Any] = {"stands": "", "drivers": "", "quick": False, "tried": False, "jobs": CORES}
 """`drivers`: only these, as in the script; `tried`: also functions without a claim; `quick`: QUICK alone."""
 
 QUICK = {

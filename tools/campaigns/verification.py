@@ -8,7 +8,7 @@ from typing import Any
 
 from random_stands import random_stands, verify_random
 
-from campaigns import REALS, Rows, Table, at_most, cores, side_by_side
+from campaigns import CORES, REALS, Rows, Table, at_most, side_by_side
 from mahovik.contract.limits import LIMITS
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
@@ -16,7 +16,7 @@ from mahovik.proof.verify.check import conclusion, worst_lines
 from mahovik.proof.verify.rigorous import measure_rounding
 from mahovik.stands import names, path
 
-OPTIONS = {"stands": 50, "states": 60, "rounded": 12, "jobs": cores()}
+OPTIONS = {"stands": 50, "states": 60, "rounded": 12, "jobs": CORES}
 
 PAIRS = ("C - reference", "second - reference", "C - second")
 NOT_NUMBERS = ("status", "rank")

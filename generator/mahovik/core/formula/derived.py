@@ -1,7 +1,7 @@
 """The modules of derive/, whose functions give formulas here, read from the data file of the package without SymPy.
 
 `carrying.weight(True)` is `mahovik.core.derive.carrying.weight(True)` with its operations in the order of
-formula/ordering. Type checkers and editors see the module of derive/ itself: names and arguments are checked, and a
+tools/formulas.py. Type checkers and editors see the module of derive/ itself: names and arguments are checked, and a
 definition is found. `python tools/formulas.py` writes the file.
 """
 
