@@ -8,7 +8,7 @@ from functools import cached_property
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.contract.quantities import BOUNDS, short
 from mahovik.core.lower import stream
-from mahovik.core.lower.freedoms import are_closed, coordinates_struct, momenta_needed
+from mahovik.core.lower.freedoms import are_closed, coordinates_struct, momenta_needed, place_of
 from mahovik.core.lower.law import BodyProgram, CarrierProgram, RunTimeInput
 from mahovik.core.program.types import Field, Kind, NamedCount, Precision, Struct
 from mahovik.core.stand.model import Structure, Task
@@ -108,11 +108,6 @@ class Layout:
         """The twist in (8)."""
         return "V_r" if self.drifts else "V"
 
-    @property
-    def fluid_twist(self) -> str:
-        """The twist at which `matrices` are given: relative to the stream."""
-        return "V_r" if self.stream else "V"
-
     @cached_property
     def law_tables(self) -> tuple[CarrierProgram, ...]:
         """The laws of `laws/` that the stand has."""
@@ -148,10 +143,6 @@ class Layout:
     def sine_input(self) -> bool:
         """Some functions take sines and cosines of the phases."""
         return self.flywheels and self.structure.phase_input == "sincos"
-
-    @property
-    def carrier_input(self) -> bool:
-        return 0 in self.structure.wrench_inputs
 
     @property
     def input_count(self) -> NamedCount:
@@ -368,7 +359,7 @@ class Layout:
                 Field("displaced_s", REAL, (3,), "kg m", "sin phi"),
             ]
         if self.along:
-            m, P = self.freedoms, self.freedoms * (self.freedoms + 1) // 2
+            m, P = self.freedoms, place_of(self.freedoms, 0)
             fields += [
                 Field("P_c", REAL, (P,), "SI", "S^T K S, lower triangle, row by row: cos phi"),
                 Field("P_s", REAL, (P,), "SI", "sin phi"),
@@ -420,9 +411,8 @@ class Layout:
             ),
         ]
         if self.along:
-            P = self.freedoms * (self.freedoms + 1) // 2
             text = "S^T K S, lower triangle, row by row, constant part"
-            fields.append(Field("P_0", REAL, (P,), "SI", text))
+            fields.append(Field("P_0", REAL, (place_of(self.freedoms, 0),), "SI", text))
         if self.added_mass:
             fields += [
                 Field("A", REAL, (6,), "kg", "m E + Lambda_11: 11 22 33 12 13 23"),
@@ -490,8 +480,7 @@ class Layout:
     @cached_property
     def along_sums(self) -> Struct:
         """Sums along the freedoms of a held carrier."""
-        m = self.freedoms
-        P = m * (m + 1) // 2
+        m, P = self.freedoms, place_of(self.freedoms, 0)
         fields = [
             Field("P", REAL, (P,), "SI", "S^T K S: mass matrix along the freedoms, lower triangle, row by row"),
             Field("P_dot", REAL, (P,), "SI", "its rate"),
@@ -757,15 +746,16 @@ class Layout:
 
     @cached_property
     def matrices(self) -> Struct:
+        V = "V_r" if self.stream else "V"
         fields = [
             Field("K", REAL, (6, 6), "kg, kg m, kg m2", "mass matrix (2)"),
             Field("K_dot", REAL, (6, 6), "per s", "its rate (6)"),
-            Field("M", REAL, (6, 6), "per s", f"velocity matrix (9) at {self.fluid_twist}"),
+            Field("M", REAL, (6, 6), "per s", f"velocity matrix (9) at {V}"),
         ]
         if self.flywheels:
             fields += [
                 Field("I", REAL, (6, self.count), "kg m, kg m2", "flywheel coupling (9), one column per flywheel"),
-                Field("J", REAL, (6, self.count), "per s", f"its velocity part (9) at {self.fluid_twist}"),
+                Field("J", REAL, (6, self.count), "per s", f"its velocity part (9) at {V}"),
             ]
         fields.append(Field("F", REAL, (6,), "N, N m", "total external wrench (7)"))
         return Struct("matrices_result", "The matrices of (8).", tuple(fields))

@@ -49,7 +49,7 @@ def add_matrices(lib: Library) -> None:
             for i in list(range(6)):
                 out.M[i][j] = Phi_times(V, out.K[:, j])[i] + out.K_dot[i][j]
 
-    V, members = layout.fluid_twist, "K, K_dot, M, I_, J, F" if layout.flywheels else "K, K_dot, M, F"
+    V, members = "V_r" if layout.stream else "V", "K, K_dot, M, I_, J, F" if layout.flywheels else "K, K_dot, M, F"
     purpose = f"The matrices of K {V}_dot + M {V} + I phi_ddot + J phi_dot = F at a state."
 
     @lib.kernel(equation="(2), (6)-(9)", purpose=purpose, statuses=STATE_STATUSES, public=True)

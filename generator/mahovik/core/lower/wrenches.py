@@ -63,7 +63,7 @@ def add_external(lib: Library) -> None:
             weigh(lib, table, (sine, cosine), sum_, g, F)
         if layout.carrier_damped:
             damp(lib, table, table.damper, V, F)
-        if layout.carrier_input:
+        if 0 in layout.structure.wrench_inputs:
             F += wrench[0:6]
         if layout.local_bodies:
             local_wrenches(lib, table, x, (sine, cosine), V, wrench, F, own)
