@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.lower import parameters as lowered
+from mahovik.core.lower import prepare as lowered
 from mahovik.core.lower.checks import add_checks
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library

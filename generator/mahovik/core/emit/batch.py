@@ -5,8 +5,7 @@ Tables of n stands are prepared straight into the lanes in which the batches rea
 
 from __future__ import annotations
 
-from collections.abc import Collection
-from math import prod
+from collections.abc import Callable, Collection
 from typing import Any
 
 from mahovik.contract.functions import BATCH_FUNCTIONS
@@ -22,7 +21,7 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.values import law_struct
 from mahovik.core.program.call import Argument
 from mahovik.core.program.refusal import POSITIVE
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, Struct, numbers
 from mahovik.core.program.walk import used_structs
 from mahovik.core.program.widen import BYTES
 from mahovik.core.stand.model import Stand
@@ -99,8 +98,12 @@ class _Printer:
             chooses=self._code.chooses,
             functions=self._code.functions,
             zeros=zeros((b.narrow for b in self._made.batches), self._names),
-            put=over_members(self._names, table, self._copy_lines, ""),
-            alike=over_members(self._names, table, self._comparison_lines, ""),
+            put=number_lines(self._names, table, lambda f, e: f"to->{e}{_lane(f)} = from->{e};"),
+            alike=number_lines(
+                self._names,
+                table,
+                lambda f, e: "" if f.type is Kind.REAL else f"if (to->{e} != from->{e}) {{ return 0; }}",
+            ),
             batches=[self._batch(b) for b in self._made.batches],
             preparing=self._preparing.values() if self._preparing.present else None,
             singles=self._singles(),
@@ -115,28 +118,10 @@ class _Printer:
                 "wide": f"wide_{s.name}",
                 "type": self._names.type(s),
                 "argument": names[s.name],
-                "lines": over_members(self._names, s, self._take_lane, ""),
+                "lines": number_lines(self._names, s, lambda f, e: f"to->{e} = from->{e}{_lane(f)};"),
             }
             for s in self._tables
         ]
-
-    def _take_lane(self, f: Field, place: str, depth: int) -> list[str]:
-        """Lines that take a member of a narrow struct out of lane k of a wide one."""
-        lane = ".at[k]" if f.type is Kind.REAL else ""
-        return nested_loops(self._names, place, f.shape, lambda e, _: [f"to->{e[1:]} = from->{e[1:]}{lane};"], depth)
-
-    def _copy_lines(self, f: Field, place: str, depth: int) -> list[str]:
-        """Lines that put a member of a narrow struct into lane k of a wide one."""
-        lane = ".at[k]" if f.type is Kind.REAL else ""
-        return nested_loops(self._names, place, f.shape, lambda e, _: [f"to->{e[1:]}{lane} = from->{e[1:]};"], depth)
-
-    def _comparison_lines(self, f: Field, place: str, depth: int) -> list[str]:
-        """Lines that return 0 where an int of two narrow structs differs."""
-        if f.type is Kind.REAL:
-            return []
-        return nested_loops(
-            self._names, place, f.shape, lambda e, _: [f"if (to->{e[1:]} != from->{e[1:]}) {{ return 0; }}"], depth
-        )
 
     # -- one batch -----------------------------------------------------------------------------------------------------
 
@@ -161,7 +146,7 @@ class _Printer:
         if a.name in PREPARED:
             return f"{a.name}s[(n + {self._made.lanes - 1}) / {self._made.lanes}]" if batch.own_table else a.name
         if isinstance(a.type, Struct):
-            return f"{a.name}[{reals(a.type, ints=True) * prod(map(int, a.shape))} n]" if _varies(a) else a.name
+            return f"{a.name}[{numbers(a.type, a.shape)} n]" if _varies(a) else a.name
         if not a.shape:
             return a.name
         return f"{a.name}[{int(a.shape[0])}{' n' if _varies(a) else ''}]"
@@ -237,6 +222,20 @@ class _Printer:
             )
 
         return [*lines, *nested_loops(self._names, place, a.shape, members)]
+
+
+def number_lines(names: Names, struct: Struct, statement: Callable[[Field, str], str]) -> list[str]:
+    """Lines with a statement for each number of a struct, from its field and place; "" for none."""
+
+    def lines(f: Field, place: str, depth: int) -> list[str]:
+        return nested_loops(names, place, f.shape, lambda e, _: filter(None, [statement(f, e[1:])]), depth)
+
+    return over_members(names, struct, lines, "")
+
+
+def _lane(f: Field) -> str:
+    """Lane k of a wide member."""
+    return ".at[k]" if f.type is Kind.REAL else ""
 
 
 def _name(batch: Batch) -> str:
@@ -323,36 +322,23 @@ class Preparing:
             "mounts": self._mounts,
             "parameters": f"{parameters};",
             "spread": [
-                *over_members(names, self._layout.parameters, self._spread("parameters->", "each."), ""),
-                *over_members(names, law_struct(self._layout), self._spread("table->", "to->"), ""),
+                *number_lines(names, self._layout.parameters, self._spread("parameters->", "each.")),
+                *number_lines(names, law_struct(self._layout), self._spread("table->", "to->")),
             ],
             "calls": calls,
         }
 
-    def _spread(self, source: str, target: str) -> Any:
-        """Lines that put one member of all stands, or of each, into the lanes of a block."""
+    def _spread(self, source: str, target: str) -> Callable[[Field, str], str]:
+        """What puts a member of all stands, or of each, into the lanes of a block."""
 
-        def lines(f: Field, place: str, depth: int) -> list[str]:
-            def one(e: str, _: int) -> list[str]:
-                if f.type is not Kind.REAL:
-                    return [f"{target}{e[1:]} = {source}{e[1:]};"]
-                return [f"next = {self._names.prefix}_spread(next, {source}{e[1:]}, first, count, &{target}{e[1:]});"]
+        def statement(f: Field, e: str) -> str:
+            if f.type is not Kind.REAL:
+                return f"{target}{e} = {source}{e};"
+            return f"next = {self._names.prefix}_spread(next, {source}{e}, first, count, &{target}{e});"
 
-            return nested_loops(self._names, place, f.shape, one, depth)
-
-        return lines
+        return statement
 
     def _count(self) -> int:
         """Reals of the parameters and of the laws."""
-        return reals(self._layout.parameters) + reals(law_struct(self._layout))
-
-
-def reals(struct: Struct, ints: bool = False) -> int:
-    """How many reals a struct has, and `ints` as well."""
-    result = 0
-    for f in struct.fields:
-        count = reals(f.type, ints) if isinstance(f.type, Struct) else int(ints or f.type is Kind.REAL)
-        for length in f.shape:
-            count *= int(length)
-        result += count
-    return result
+        structs = (self._layout.parameters, law_struct(self._layout))
+        return sum(numbers(struct, kinds=(Kind.REAL,)) for struct in structs)

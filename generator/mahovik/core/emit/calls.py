@@ -13,13 +13,12 @@ from typing import Any
 
 from mahovik.contract.quantities import DRAWN_STEP, TABLES, Draw
 from mahovik.core.emit.code import INDENT, Code
-from mahovik.core.emit.literal import hex_literal, real_literal
 from mahovik.core.emit.names import Names, member
 from mahovik.core.lower import test_inputs
 from mahovik.core.lower.test_inputs import Input
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Field, Kind, Precision, Shape, Struct
+from mahovik.core.program.types import Field, Kind, Shape, Struct
 
 _INDICES = "ijlmpq"
 """Indices of nested loops; k is the lane of a batch."""
@@ -91,28 +90,7 @@ def over_members(
     return lines
 
 
-def initialiser_of(type_: Kind | Struct, shape: Shape, value: Any, precision: Precision, exact: bool = True) -> str:
-    """A value on one line, in braces where it is an array or a struct; `exact`: hexadecimal, else decimal reals."""
-    if shape:
-        return f"{{ {', '.join(initialiser_of(type_, shape[1:], v, precision, exact) for v in value)} }}"
-    if isinstance(type_, Struct):
-        members = (
-            f".{member(f.name)} = {initialiser_of(f.type, f.shape, value[f.name], precision, exact)}"
-            for f in type_.fields
-        )
-        return f"{{ {', '.join(members)} }}"
-    if type_ is not Kind.REAL:
-        return str(int(value))
-    return (hex_literal if exact else real_literal)(float(value), precision)
-
-
 # ---- functions in tables: called in one way, with inputs and results as runs of numbers ----------------------------
-
-_RULES = {
-    Draw.REALS: "REALS", Draw.FLAGS: "FLAGS", Draw.ATTITUDE: "ATTITUDE", Draw.TURNS: "TURNS", Draw.ORDER: "ORDER",
-    Draw.STEP: "STEP", Draw.FACTOR: "FACTOR", Draw.POWER: "POWER", Draw.SHARE: "SHARE",
-}  # fmt: skip
-"""Names of the rules in C."""
 
 
 def source(a: Argument) -> str:
@@ -226,7 +204,7 @@ def _members(names: Names, type_: Kind | Struct, shape: Shape) -> Iterator[tuple
 
 def _draw_row(code: Code, drawn: Input, prefix: str) -> tuple[str, str, int, str, str]:
     """Address, rule, count and largest magnitude of an input; the cosines that are drawn with it."""
-    rule = "FAST" if drawn.name in test_inputs.FAST_INPUTS else _RULES[drawn.rule]
+    rule = "FAST" if drawn.name in test_inputs.FAST_INPUTS else drawn.rule.name
     count = 1 if drawn.rule is Draw.ATTITUDE else drawn.count
     cosines = f"{prefix}{'.'.join((*drawn.path[:-1], test_inputs.COSINE))}" if drawn.rule is Draw.TURNS else "NULL"
     largest = code.hex(DRAWN_STEP) if drawn.rule is Draw.STEP else code.real(drawn.largest)

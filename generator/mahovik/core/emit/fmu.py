@@ -28,27 +28,17 @@ HEADERS = ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h")
 """Headers of the FMI standard 2.0, unchanged."""
 
 
-@dataclass(frozen=True)
-class Sources:
-    """Text by file name in the folder `sources`, and which of them are compiled."""
-
-    files: dict[str, str]
-    compiled: tuple[str, ...]
-
-
 def compiled_sources(stand: Stand) -> tuple[str, ...]:
     """Names of the C files of an FMU, in the order in which they are compiled."""
     name = stand.name
     return (f"{name}.c", f"{name}_model.c", f"{name}_fmi2.c")
 
 
-def fmu_sources(stand: Stand, generated: Generated, form: Form, token: str) -> Sources:
-    """All sources of an FMU; `token` ties the binary to its description."""
+def fmu_sources(stand: Stand, generated: Generated, form: Form, token: str) -> dict[str, str]:
+    """All sources of an FMU by file name in its folder `sources`; `token` ties the binary to its description."""
     printer = _Printer(stand, generated, form)
-    compiled = compiled_sources(stand)
-    files = _with_model(stand, generated, printer, {compiled[-1]: printer.interface(token)})
-    files |= {header: source_text(f"fmu/{header}") for header in HEADERS}
-    return Sources(files, compiled)
+    files = _with_model(stand, generated, printer, {compiled_sources(stand)[-1]: printer.interface(token)})
+    return files | {header: source_text(f"fmu/{header}") for header in HEADERS}
 
 
 def block_sources(stand: Stand, generated: Generated, form: Form, tool: str) -> dict[str, str]:

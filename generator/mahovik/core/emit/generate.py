@@ -7,20 +7,22 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik.contract.functions import ALL, CHOSEN, FUNCTIONS, is_default, row_of, task_of
+from mahovik.contract.quantities import short
+from mahovik.contract.status import STATUS_VALUES, STATUSES
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.layout import comment_lines, wrap_statement
 from mahovik.core.emit.log_format import RESERVED
 from mahovik.core.emit.names import RESERVED as OF_STANDS
-from mahovik.core.emit.status import statuses
+from mahovik.core.emit.names import Names
 from mahovik.core.lower.layout import Layout, run_time_inputs
-from mahovik.core.lower.limits import constants, limits
+from mahovik.core.lower.limits import constants, limits, thresholds
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.programme import RESERVED as OF_PROGRAMMES
 from mahovik.core.lower.stream import NAME as STREAM_PROFILE
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.simplify import restrict_program
-from mahovik.core.program.types import DOUBLE, FLOAT, Struct
+from mahovik.core.program.types import DOUBLE, FLOAT, NamedCount, Struct
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities, structure
 from mahovik.errors import UsageError
@@ -31,6 +33,9 @@ PRECISIONS = {"double": DOUBLE, "float": FLOAT}
 
 _CONSTANTS = ("state", "parameters", "table")
 """Structs of every header; those of its constants are among them."""
+
+_ALWAYS = ("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT")
+"""Statuses of the header of a part as well: what is exported to stand beside it returns them too."""
 
 
 @dataclass(frozen=True)
@@ -166,29 +171,20 @@ class _Printer:
         taken = {c.name for c in self._program.counts} | set(limits(self._program.precision))
         taken |= {x.name for x in constants(self._program.precision)}
         taken |= OF_STANDS | RESERVED | OF_PROGRAMMES
+        rows: list[tuple[tuple[str, ...], str, NamedCount, str]] = [
+            (layout.structure.flywheels, "", layout.count, layout.count.comment),
+            (layout.inputs, "WRENCH_", layout.input_count, f"{layout.input_count.comment}: six numbers each"),
+            *((x.names, x.prefix, x.count, x.count.comment) for x in run_time_inputs(layout.structure)),
+            (layout.sensors, "SENSOR_", layout.sensor_count, layout.sensor_count.comment),
+        ]
         enums = []
-        if layout.flywheels:
-            names = list(layout.structure.flywheels)
-            entries = self._names.enumerators(names, taken)
-            taken |= {entry.removeprefix(self._names.constant("")) for entry in entries}
-            enums.append(self._enum(entries, layout.count.name, len(names), layout.count.comment))
-        if layout.inputs:
-            names = list(layout.inputs)
-            entries = self._names.enumerators(names, taken, "WRENCH_")
-            count = layout.input_count
-            enums.append(self._enum(entries, count.name, len(names), f"{count.comment}: six numbers each"))
-        for item in run_time_inputs(layout.structure):
-            entries = self._names.enumerators(item.names, taken, item.prefix)
-            enums.append(self._enum(entries, item.count.name, len(item.names), item.count.comment))
-        if layout.sensors:
-            entries = self._names.enumerators(list(layout.sensors), taken, "SENSOR_")
-            count = layout.sensor_count
-            enums.append(self._enum(entries, count.name, len(layout.sensors), count.comment))
+        for names, prefix, count, comment in rows:
+            if names:
+                entries = self._names.enumerators(names, taken, prefix)
+                taken |= {entry.removeprefix(self._names.constant("")) for entry in entries}
+                text = f"enum {{ {', '.join(entries)}, {self._names.constant(count.name)} = {len(names)} }};"
+                enums.append([f"/* {comment} */", *wrap_statement(text, "")])
         return enums
-
-    def _enum(self, entries: list[str], count: str, value: int, comment: str) -> list[str]:
-        text = f"enum {{ {', '.join(entries)}, {self._names.constant(count)} = {value} }};"
-        return [f"/* {comment} */", *wrap_statement(text, "")]
 
     def _function(self, f: Function) -> dict[str, Any]:
         """A function; what the header says of a public one is not said again. `hook`: macro that replaces its body."""
@@ -219,6 +215,30 @@ class _Printer:
         }
 
 
+def statuses(names: Names, layout: Layout, part: Program | None) -> list[tuple[str, int, str]]:
+    """Name in C, number and meaning of each for this stand; of a part of its functions, of those that may occur."""
+    functions = part.functions if part else ()
+    occurring = {*_ALWAYS, *(status for f in functions if f.public for status in f.statuses)} if part else STATUS_VALUES
+    decided = thresholds(layout.precision)
+    words = {
+        "unreachable": short(decided.unreachable),
+        "rank": short(decided.rank),
+        "lengths": ", ".join(_lengths(layout)),
+    }
+    result = [s for s in STATUSES if s.name in occurring]
+    return [(names.constant(s.name), s.value, s.meaning.format(**words)) for s in result]
+
+
+def _lengths(layout: Layout) -> Iterator[str]:
+    """Words for the parts of this stand whose length may be refused."""
+    yield "quaternion off unit length"
+    if layout.sine_input:
+        yield "sine and cosine likewise"
+    yield from (law.invalid for law in layout.law_tables if law.invalid)
+    if layout.structure.stream_stations:
+        yield "depth outside of the stream's profile"
+
+
 def _checked(layout: Layout) -> str:
     """Members of the table that every function checks."""
     members = [
@@ -230,14 +250,5 @@ def _checked(layout: Layout) -> str:
 
 def describe_bodies(stand: Stand) -> str:
     """Bodies of a stand in words: `carrier, 1 instrument, 8 flywheels`."""
-    return ", ".join(
-        [
-            "carrier",
-            _count_in_words(len(stand.instruments), "instrument"),
-            _count_in_words(len(stand.flywheels), "flywheel"),
-        ]
-    )
-
-
-def _count_in_words(number: int, noun: str) -> str:
-    return f"{number} {noun}{'' if number == 1 else 's'}"
+    numbers = {"instrument": len(stand.instruments), "flywheel": len(stand.flywheels)}
+    return ", ".join(["carrier", *(f"{n} {noun}{'' if n == 1 else 's'}" for noun, n in numbers.items())])

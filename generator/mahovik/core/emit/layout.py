@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 
 WIDTH = 110
@@ -68,13 +69,5 @@ def comment_lines(text: str, indent: str = "", later: str | None = None) -> list
 
 def paragraph(text: str, first: str, later: str) -> list[str]:
     """Prose as lines of at most WIDTH columns, with room for the end of a comment."""
-    width = WIDTH - len(" */")
-    lines, line = [], first
-    empty = True
-    for word in text.split():
-        if not empty and len(line) + 1 + len(word) > width:
-            lines.append(line)
-            line, empty = later, True
-        line += word if empty else f" {word}"
-        empty = False
-    return [*lines, line.rstrip()]
+    words = textwrap.TextWrapper(WIDTH - len(" */"), first, later, break_long_words=False, break_on_hyphens=False)
+    return words.wrap(" ".join(text.split())) or [first.rstrip()]

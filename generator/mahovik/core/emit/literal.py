@@ -9,7 +9,8 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from mahovik.core.emit.layout import wrap_statement
-from mahovik.core.program.types import Field, Kind, Precision, Struct
+from mahovik.core.emit.names import member
+from mahovik.core.program.types import Field, Kind, Precision, Shape, Struct
 
 _STEP = "    "
 
@@ -54,23 +55,36 @@ def word_literal(value: int) -> str:
     return f"{value}u" if value < 1024 else f"0x{value:x}u"
 
 
+Literal = Callable[[float], str]
+"""What makes the literal of a real."""
+
+
+def initialiser_of(type_: Kind | Struct, shape: Shape, value: Any, literal: Literal) -> str:
+    """A value on one line, in braces where it is an array or a struct."""
+    if shape:
+        return f"{{ {', '.join(initialiser_of(type_, shape[1:], v, literal) for v in value)} }}"
+    if isinstance(type_, Struct):
+        members = (
+            f".{member(f.name)} = {initialiser_of(f.type, f.shape, value[f.name], literal)}" for f in type_.fields
+        )
+        return f"{{ {', '.join(members)} }}"
+    return literal(float(value)) if type_ is Kind.REAL else str(int(value))
+
+
 def initialiser(
-    struct: Struct, value: Mapping[str, Any], literal: Callable[[float], str], labels: Mapping[str, list[str]]
+    struct: Struct, value: Mapping[str, Any], literal: Literal, labels: Mapping[str, list[str]]
 ) -> list[str]:
     """Lines of `{ ... }` for a struct. `labels`: names of the elements of array members, for a comment before each."""
-    return ["{", *_members(struct, value, literal, labels, _STEP), "}"]
+    return ["{", *members(struct, value, literal, labels, _STEP), "}"]
 
 
-def _members(
-    struct: Struct,
-    value: Mapping[str, Any],
-    literal: Callable[[float], str],
-    labels: Mapping[str, list[str]],
-    indent: str,
+def members(
+    struct: Struct, value: Mapping[str, Any], literal: Literal, labels: Mapping[str, list[str]], indent: str
 ) -> Iterator[str]:
+    """Lines of the members of a struct between its braces."""
     for f in struct.fields:
         if not isinstance(f.type, Struct) and len(f.shape) < 2:
-            yield from wrap_statement(f".{f.name} = {_numbers(f, value[f.name], literal)},", indent)
+            yield from wrap_statement(f".{f.name} = {initialiser_of(f.type, f.shape, value[f.name], literal)},", indent)
             continue
         yield f"{indent}.{f.name} = {{"
         if not isinstance(f.type, Struct):
@@ -79,25 +93,15 @@ def _members(
             for number, element in enumerate(value[f.name]):
                 label = f"  /* {labels[f.name][number]} */" if f.name in labels else ""
                 yield f"{indent}{_STEP}{{{label}"
-                yield from _members(f.type, element, literal, {}, indent + 2 * _STEP)
+                yield from members(f.type, element, literal, {}, indent + 2 * _STEP)
                 yield f"{indent}{_STEP}}},"
         else:
-            yield from _members(f.type, value[f.name], literal, labels, indent + _STEP)
+            yield from members(f.type, value[f.name], literal, labels, indent + _STEP)
         yield f"{indent}}},"
 
 
-def _matrix(rows: list[list[Any]], f: Field, literal: Callable[[float], str], indent: str) -> Iterator[str]:
-    texts = [[_number(x, f.type, literal) for x in row] for row in rows]
+def _matrix(rows: list[list[Any]], f: Field, literal: Literal, indent: str) -> Iterator[str]:
+    texts = [[initialiser_of(f.type, (), x, literal) for x in row] for row in rows]
     width = max(len(t) for row in texts for t in row)
     for row in texts:
         yield from wrap_statement(f"{{ {', '.join(f'{t:>{width}}' for t in row)} }},", indent)
-
-
-def _numbers(f: Field, value: Any, literal: Callable[[float], str]) -> str:
-    if f.shape:
-        return "{ " + ", ".join(_number(x, f.type, literal) for x in value) + " }"
-    return _number(value, f.type, literal)
-
-
-def _number(value: Any, type_: Kind | Struct, literal: Callable[[float], str]) -> str:
-    return literal(float(value)) if type_ is Kind.REAL else str(int(value))

@@ -9,7 +9,7 @@ import struct
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from mahovik.core.lower.golden import fnv1a, fnv1a_words
+from mahovik.core.lower.golden import fnv1a
 from mahovik.core.lower.layout import Layout
 from mahovik.core.program.types import Field, Kind, Struct, leaves
 
@@ -40,16 +40,9 @@ _MEMBERS = ("POSITION", "ATTITUDE", "V", "PHI", "PHI_DOT")
 
 RESERVED = frozenset(
     (
-        *("RECORDER_H", "RECORDER_FORMAT", "RECORDER_SOURCE", "RECORD_BYTES"),
-        *(
-            "RECORD_STEP",
-            "RECORD_REAL_BYTES",
-            "RECORD_TABLE_BYTES",
-            "RECORD_LOCKS_A_BYTE",
-            "RECORD_BASIS",
-            "RECORD_PRIME",
-        ),
-        *(f"RECORD_{name}" for name in (*_MEMBERS, *CHANGING)),
+        *("RECORDER_H", "RECORDER_FORMAT", "RECORDER_SOURCE"),
+        *(f"RECORD_{name}" for name in (*_MEMBERS, *CHANGING, "BYTES", "STEP", "BASIS", "PRIME", "LOCKS_A_BYTE")),
+        *(f"RECORD_{name}_BYTES" for name in ("REAL", "TABLE")),
     )
 )
 """Names of the recorder's header and source, that no flywheel may have."""
@@ -63,7 +56,7 @@ def state_hash(members: Sequence[bytes]) -> int:
     """
     data, result = b"".join(members), fnv1a(b"")
     for (word,) in struct.iter_unpack("<I", data):
-        result = fnv1a_words([word], (result << 5 | result >> 27) & 0xFFFFFFFF)
+        result = fnv1a([word], (result << 5 | result >> 27) & 0xFFFFFFFF)
     return result
 
 

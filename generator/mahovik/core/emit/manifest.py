@@ -5,13 +5,13 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from mahovik import __version__
-from mahovik.contract.functions import ALL
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities
 
@@ -31,30 +31,17 @@ def digest(content: str | bytes) -> str:
     return hashlib.sha256(content.encode("utf-8") if isinstance(content, str) else content).hexdigest()
 
 
-def manifest(
-    stand: Stand,
-    real: str,
-    files: Mapping[str, str],
-    project: str = "",
-    only: Sequence[str] = ALL,
-) -> str:
-    """Text of the manifest of files, name to content.
-
-    `project`: the target whose exported project they are; `only`: public functions of the C, or ALL.
-    The stand's name is the prefix of the C.
-    """
-    more: dict[str, Any] = {"only": list(only)}
-    more |= {"project": project} if project else {}
-    return manifest_with(stand, real, files, more)
-
-
 def with_manifest(stand: Stand, generated: Generated, files: Mapping[str, str], project: str = "") -> dict[str, str]:
-    """The files of a folder, which have the C of `generated`, and their manifest at the end."""
-    return {**files, NAME: manifest(stand, generated.program.precision.name, files, project, generated.only)}
+    """The files of a folder, which have the C of `generated`, and their manifest at the end.
+
+    `project`: the target whose exported project they are.
+    """
+    more = {"only": list(generated.only)} | ({"project": project} if project else {})
+    return {**files, NAME: manifest(stand, generated.program.precision.name, files, more)}
 
 
-def manifest_with(stand: Stand, real: str, files: Mapping[str, str], more: Mapping[str, Any]) -> str:
-    """Manifest of any files of a stand, with more facts about them."""
+def manifest(stand: Stand, real: str, files: Mapping[str, str], more: Mapping[str, Any] = MappingProxyType({})) -> str:
+    """Text of the manifest of files of a stand, name to content, with more facts about them."""
     hashes = identities(stand)
     return as_text(
         {

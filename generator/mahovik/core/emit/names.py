@@ -11,23 +11,12 @@ from mahovik.core.program.types import Kind, NamedCount, Shape, Struct
 VERIFICATION = "verification/"
 """Folder, below that of the firmware, of files that test or prove it; what is beside it can all be compiled."""
 
-RESERVED = frozenset(
-    (
-        *("H", "BATCH_H", "SERVO_H", "STRUCTURE", "PHYSICS", "TABLE_HASH", "REAL_BYTES"),
-        *("VERSION_MAJOR", "VERSION_MINOR", "VERSION_PATCH", "CODE", "CONST", "ALIGNED", "APART", "COPIED"),
-        *(
-            "ALLOW_FAST_MATH",
-            "SQRT",
-            "PLAIN_NAMES",
-            "SELFTEST_MAIN",
-            "SELFTEST_SWEEP",
-            "SERVO_MAIN",
-            "SERVO_TEST_MAIN",
-            "FUZZ_MAIN",
-        ),
-        *("SERVO_PERIOD", "SERVO_PERIODS", "SERVO_TICKS", "SERVO_LIMITED"),
-    )
-)
+_MACROS_OF_FILES = """
+H BATCH_H SERVO_H STRUCTURE PHYSICS TABLE_HASH REAL_BYTES VERSION_MAJOR VERSION_MINOR VERSION_PATCH
+CODE CONST ALIGNED APART COPIED ALLOW_FAST_MATH SQRT PLAIN_NAMES
+SELFTEST_MAIN SELFTEST_SWEEP FUZZ_MAIN SERVO_MAIN SERVO_TEST_MAIN SERVO_PERIOD SERVO_PERIODS SERVO_TICKS SERVO_LIMITED
+"""
+RESERVED = frozenset(_MACROS_OF_FILES.split())
 """Names of the files beside a recorder's and a programme's, that no flywheel may have."""
 
 
@@ -61,16 +50,8 @@ class Names:
         """C type of a scalar kind or a struct."""
         if isinstance(type_, Struct):
             return f"{self.prefix}_{type_.name}"
-        return (
-            self.types.get(type_)
-            or {
-                Kind.REAL: f"{self.prefix}_real",
-                Kind.WORD: f"{self.prefix}_{self.word}",
-                Kind.STATUS: f"{self.prefix}_status",
-                Kind.INT: "int",
-                Kind.BOOL: "int",
-            }[type_]
-        )
+        plain = "int" if type_ in (Kind.INT, Kind.BOOL) else f"{self.prefix}_{type_.value}"
+        return self.types.get(type_) or (f"{self.prefix}_{self.word}" if type_ is Kind.WORD else plain)
 
     def length(self, count: int | NamedCount) -> str:
         """A length: a named count by its name; of 0, which is any, nothing."""

@@ -11,7 +11,7 @@ from mahovik.core.emit.calls import call
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.declaration import struct_lines
 from mahovik.core.emit.layout import paragraph, wrap_statement
-from mahovik.core.emit.manifest import manifest_with
+from mahovik.core.emit.manifest import manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.lower.programme import CLOCK, Course, ProgrammeProgram
 from mahovik.core.lower.programme_play import PERIODS, REFUSED, SWEEP, TICKS, Golden, GoldenCourse
@@ -153,7 +153,7 @@ class _Printer:
         facts = self._facts
         tables = [dict(table) for table in facts.measured]
         more = {"programme": facts.motion, "tables": tables, "limit": facts.limit}
-        return manifest_with(self._stand, self._code.precision.name, files, more)
+        return manifest(self._stand, self._code.precision.name, files, more)
 
     # -- parts ---------------------------------------------------------------------------------------------------------
 

@@ -8,9 +8,8 @@ from mahovik.contract.quantities import TABLES
 from mahovik.core.emit.calls import argument_text, call
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import purpose_with_number
-from mahovik.core.emit.generate import Generated, describe_bodies
+from mahovik.core.emit.generate import Generated, describe_bodies, statuses
 from mahovik.core.emit.names import member
-from mahovik.core.emit.status import statuses
 from mahovik.core.program.cost import cost
 from mahovik.core.program.types import Kind, Shape, Struct
 from mahovik.core.stand.model import Stand

@@ -10,7 +10,7 @@ from typing import Any
 from mahovik.contract.functions import is_public
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.layout import paragraph, wrap_statement
-from mahovik.core.emit.manifest import manifest_with
+from mahovik.core.emit.manifest import manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.programme import rename_files
 from mahovik.core.lower import servo_golden as expected
@@ -145,7 +145,7 @@ class _Printer:
 
     def manifest(self, files: Mapping[str, str], what: str) -> str:
         """Manifest: identity of the stand and hash of every file, without dates."""
-        return manifest_with(self._stand, self._code.precision.name, files, {"servo": what})
+        return manifest(self._stand, self._code.precision.name, files, {"servo": what})
 
     def render(self, name: str, **more: Any) -> str:
         """A template rendered with the values that all of them use. The status that it adds has a name of its own."""

@@ -37,8 +37,8 @@ def within(lib: Library) -> Function:
 
 
 @inline
-def check_number(lib: Library, value: float, limit: float) -> Any:
-    """Returns NOT_FINITE or RANGE where a number is not within a limit."""
+def check_number(lib: Any, value: float, limit: float) -> Any:
+    """Returns NOT_FINITE or RANGE where a number is not within a limit; `lib`: the largest number is its `largest`."""
     if not (value >= -limit and value <= limit):
         if value >= -lib.largest and value <= lib.largest:
             return RANGE

@@ -6,20 +6,20 @@ as good as that after one.
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 from mahovik.contract.quantities import BOUNDS
+from mahovik.core.lower.checks import check_number
 from mahovik.core.program.expression import Convert, Status, integer
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.kernel import (
     BAD_ARGUMENT,
-    NOT_FINITE,
     OK,
     RANGE,
     Result,
     argument,
     changed,
-    inline,
     int_of,
     kernel,
     result,
@@ -110,25 +110,11 @@ def accumulate(
     return OK
 
 
-def _largest(precision: Precision) -> float:
-    """The largest number, without its name: the file is of both element types."""
-    return float(precision.largest)
-
-
-@inline
-def check_range(precision: Precision, value: float, limit: float) -> Any:
-    """RANGE or NOT_FINITE where a number is not within a limit."""
-    if not (value >= -limit and value <= limit):
-        if value >= -_largest(precision) and value <= _largest(precision):
-            return RANGE
-        return NOT_FINITE
-    return None
-
-
 def of_counts(precision: Precision) -> tuple[Function, ...]:
     """Phase and speed of counts."""
     end = "_float" if precision is FLOAT else ""
     most, whole = integer(MOST[precision.name]), nearest(2 * PI, precision)
+    reals = SimpleNamespace(largest=float(precision.largest))  # without its name: the file is of both element types
     statuses = ("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT")
     turning: Any = argument(f"as above; at most MAHOVIK_{MOST[precision.name].name}")
 
@@ -145,7 +131,7 @@ def of_counts(precision: Precision) -> tuple[Function, ...]:
         turn = -per_turn if per_turn < 0 else per_turn
         size = float(turn)
         half = size * 0.5
-        check_range(precision, zero, size)
+        check_number(reals, zero, size)
         place: float = float(remainder_of(count, turn)) - zero  # counts from phi = 0
         for i in range(2):  # to within half a turn
             place = place - size if place > half else place + size if place < -half else place
@@ -162,7 +148,7 @@ def of_counts(precision: Precision) -> tuple[Function, ...]:
         """Mean speed over a time. One count is 2 pi/(per_turn dt)."""
         if per_turn < -most or per_turn > most or per_turn == 0:
             return BAD_ARGUMENT
-        check_range(precision, dt, Convert(integer(LONGEST), Kind.REAL))
+        check_number(reals, dt, Convert(integer(LONGEST), Kind.REAL))
         if not (dt > 0):
             return BAD_ARGUMENT
         speed = float(moved) / float(per_turn) * whole / dt

@@ -11,9 +11,9 @@ from mahovik.core.lower import stream, units
 from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.layout import OF_HOLD, Layout
 from mahovik.core.lower.limits import limits
-from mahovik.core.lower.units import Member, Unit, matrix, member, members, vector
+from mahovik.core.lower.units import Member, Unit, matrix, members, vector
 from mahovik.core.lower.values import Values
-from mahovik.core.program.types import Field, Struct
+from mahovik.core.program.types import Field, Struct, member
 from mahovik.core.stand.hold import freedom_names, freedom_words, numbered_freedoms
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
 

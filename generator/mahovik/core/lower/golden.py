@@ -72,13 +72,8 @@ class Golden:
     trials: tuple[Trial, ...]
 
 
-def fnv1a(data: bytes, start: int = _FNV_OFFSET) -> int:
-    """The 32-bit hash FNV-1a; `start` continues an earlier hash."""
-    return fnv1a_words(data, start)
-
-
-def fnv1a_words(words: Iterable[int], start: int = _FNV_OFFSET) -> int:
-    """FNV-1a hash of numbers that may be larger than a byte."""
+def fnv1a(words: Iterable[int], start: int = _FNV_OFFSET) -> int:
+    """The 32-bit hash FNV-1a of bytes, or of larger numbers; `start` continues an earlier hash."""
     digest = start
     for word in words:
         digest = (digest ^ word) * _FNV_PRIME & 0xFFFFFFFF

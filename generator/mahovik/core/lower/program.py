@@ -17,11 +17,9 @@ from mahovik.core.lower import (
     hold,
     identify_step,
     inverse,
-    inverse_fast,
     jacobian,
     matrices,
     mounts,
-    parameters,
     prepare,
     regressor,
     solve,
@@ -137,7 +135,7 @@ def _add_inverse(lib: Library) -> None:
             excess.add_motor_lacks(lib)
             excess.add_excessive(lib)
         inverse.add_inverse(lib, rows)
-        inverse_fast.add_inverse_fast(lib, rows)
+        inverse.add_inverse_fast(lib, rows)
         if rows:
             task_torque.add_torque(lib, rows)
 
@@ -186,18 +184,18 @@ def _add_prepare(lib: Library) -> None:
         if "project_mass" not in lib:
             lib.add(hold.project_mass(lib))
         lib.add(hold.project_harmonic(lib))
-    parameters.add_check_inertia(lib)
-    lib.add(parameters.check_body(lib, layout.body))
+    prepare.add_check_inertia(lib)
+    lib.add(prepare.check_body(lib, layout.body))
     if layout.flywheels and layout.flywheel_body is not layout.body:
-        lib.add(parameters.check_body(lib, layout.flywheel_body))
+        lib.add(prepare.check_body(lib, layout.flywheel_body))
     if layout.flywheels:
         purpose = "Origin and axes (at phi = 0) of a flywheel in E1."
         prepare.add_placement(lib, "place_flywheel", layout.flywheel_parameters, purpose)
     if layout.structure.points:
         prepare.add_placement(lib, "place_point", layout.point_parameters, "Origin and axes of a point in E1.")
     if layout.added_mass:
-        parameters.add_added_mass(lib)
-    parameters.add_check_parameters(lib)
+        prepare.add_added_mass(lib)
+    prepare.add_check_parameters(lib)
     prepare.add_prepare(lib)
 
 

@@ -10,10 +10,10 @@ from typing import Any
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.limits import unit_square
-from mahovik.core.lower.units import Member, Unit, member
+from mahovik.core.lower.units import Member, Unit
 from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import OK, RANGE, Reals, reals, result
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, Struct, member
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.columns import by_sample
 from mahovik.core.stand.model import StreamProfile, Structure

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, Struct, member
 
 
 @dataclass(frozen=True)
@@ -131,11 +131,6 @@ class Member:
     description: str
     value: float
     positive: bool = False
-
-
-def member(value: Any, name: str) -> Any:
-    """A member of a struct, given as a mapping or as an object."""
-    return value[name] if isinstance(value, Mapping) else getattr(value, name)
 
 
 def members(prefix: str, struct: Struct, value: Any, of_freedom: Mapping[str, Unit] | None = None) -> Iterator[Member]:

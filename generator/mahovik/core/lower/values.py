@@ -22,14 +22,13 @@ from mahovik.core.lower import stream
 from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import thresholds
-from mahovik.core.lower.units import member
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.kernel import Reals, argument, kernel, local, result
-from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
+from mahovik.core.program.types import DOUBLE, Field, Kind, Struct, leaves, member
 from mahovik.core.stand.columns import Column
 from mahovik.core.stand.hold import carried_point, twist_columns
-from mahovik.core.stand.model import Body, Flywheel, Instrument, MountingAngles, Point, Stand
+from mahovik.core.stand.model import Body, Flywheel, MountingAngles, Point, Stand
 from mahovik.core.stand.motor import UNLIMITED
 from mahovik.errors import StandError
 
@@ -70,69 +69,52 @@ def _about_origin(
     J[:] = formula(carrying.central_to_origin(), J=central, b=b, rc=rc)
 
 
-class _Parameters:
-    """Reads the parameters of a stand, with what only the generator has to convert."""
+def parameters_of(stand: Stand, layout: Layout) -> dict[str, Any]:
+    """Input of `prepare`: masses, inertias, mountings. Raises StandError where a number is out of range."""
+    convert = Interpreter(conversions()).run
+    instruments = [p.name for p in stand.instruments]
 
-    def __init__(self, stand: Stand, layout: Layout) -> None:
-        self._stand = stand
-        self._layout = layout
-        self._conversions = Interpreter(conversions())
-
-    def read(self) -> dict[str, Any]:
-        """Input of `prepare`, by the names of its struct."""
-        layout, stand = self._layout, self._stand
-        numbers: dict[str, Any] = {"carrier": self._body(stand.carrier)}
-        if layout.added_mass:
-            parts = [p.added_mass for p in stand.instruments if p.added_mass is not None]
-            if stand.carrier.added_mass is not None:
-                parts.insert(0, stand.carrier.added_mass)
-            numbers["added_mass"] = [[sum(part[i][j] for part in parts) for j in range(6)] for i in range(6)]
-        if stand.instruments:
-            numbers["instrument"] = [self._instrument(p) for p in stand.instruments]
-        if stand.flywheels:
-            numbers["flywheel"] = [self._flywheel(s) for s in stand.flywheels]
-        if stand.points:
-            numbers["point"] = [self._point(p) for p in stand.points]
-        return numbers
-
-    def _body(self, b: Body) -> dict[str, Any]:
+    def body_of(b: Body) -> dict[str, Any]:
         inertia = [b.inertia[i][j] for i, j in SYMMETRIC]
         if b.inertia_about == "center_of_mass":
             properties = {"mass": b.mass, "rc": b.center_of_mass, "central": inertia}
-            inertia = self._conversions.run("about_origin", properties)[1]["J"]
+            inertia = convert("about_origin", properties)[1]["J"]
         numbers = {"mass": b.mass, "center_of_mass": list(b.center_of_mass), "inertia": inertia}
-        dry = isinstance(b, Flywheel) and not self._layout.flywheel_displaces
-        if self._layout.displaces and not dry:
+        dry = isinstance(b, Flywheel) and not layout.flywheel_displaces
+        if layout.displaces and not dry:
             mass, center = next(iter(b.displaced), (0.0, (0.0, 0.0, 0.0)))
             numbers |= {"displaced_mass": mass, "displaced_center": list(center)}
         return numbers
 
-    def _axes(self, angles: tuple[float, float, float]) -> dict[str, Any]:
-        return self._conversions.run("axes_of_angles", {"angles": angles})[1]
+    def axes_of(*angles: float) -> dict[str, Any]:
+        return convert("axes_of_angles", {"angles": angles})[1]
 
-    def _instrument(self, p: Instrument) -> dict[str, Any]:
-        return {"body": self._body(p), "position": list(p.position), **self._axes(p.angles)}
+    def mounted(part: Flywheel | Point) -> dict[str, int]:
+        """Number of the instrument that it is mounted on, -1 for the carrier; nothing where there are none."""
+        known = part.mount in instruments
+        return {"mount": instruments.index(part.mount) if known else -1} if instruments else {}
 
-    def _flywheel(self, s: Flywheel) -> dict[str, Any]:
-        mounting = s.mounting
-        if isinstance(mounting, MountingAngles):
-            axes = self._axes((mounting.psi, mounting.theta, mounting.zero))
+    def flywheel(s: Flywheel) -> dict[str, Any]:
+        at = s.mounting
+        if isinstance(at, MountingAngles):
+            axes = axes_of(at.psi, at.theta, at.zero)
         else:
-            axes = {"axis": list(mounting.axis), "zero": list(mounting.zero)}
-        return {"body": self._body(s), "position": list(s.position), **axes, **self._mount(s.mount)}
+            axes = {"axis": list(at.axis), "zero": list(at.zero)}
+        return {"body": body_of(s), "position": list(s.position), **axes, **mounted(s)}
 
-    def _point(self, p: Point) -> dict[str, Any]:
-        return {"position": list(p.position), **self._axes(p.angles), **self._mount(p.mount)}
-
-    def _mount(self, name: str) -> dict[str, int]:
-        """Number of the instrument of that name, -1 for the carrier; nothing where there are no instruments."""
-        names = [p.name for p in self._stand.instruments]
-        return {"mount": names.index(name) if name in names else -1} if names else {}
-
-
-def parameters_of(stand: Stand, layout: Layout) -> dict[str, Any]:
-    """Input of `prepare` for a stand: masses, inertias, mountings. Raises StandError where a number is out of range."""
-    numbers = _Parameters(stand, layout).read()
+    numbers: dict[str, Any] = {"carrier": body_of(stand.carrier)}
+    if layout.added_mass:
+        of_bodies = (stand.carrier.added_mass, *(p.added_mass for p in stand.instruments))
+        added = [matrix for matrix in of_bodies if matrix is not None]
+        numbers["added_mass"] = [[sum(matrix[i][j] for matrix in added) for j in range(6)] for i in range(6)]
+    if stand.instruments:
+        numbers["instrument"] = [
+            {"body": body_of(p), "position": list(p.position), **axes_of(*p.angles)} for p in stand.instruments
+        ]
+    if stand.flywheels:
+        numbers["flywheel"] = list(map(flywheel, stand.flywheels))
+    if stand.points:
+        numbers["point"] = [{"position": list(p.position), **axes_of(*p.angles), **mounted(p)} for p in stand.points]
     _check_range(stand, layout, "parameters", numbers)
     return numbers
 
@@ -146,79 +128,62 @@ def _check_range(stand: Stand, layout: Layout, name: str, value: Any) -> None:
     elif isinstance(value, list | tuple):
         for number, element in enumerate(value):
             _check_range(stand, layout, f"{name}[{number}]", element)
-    elif isinstance(value, float | Column) and _exceeds(value, largest):
+    elif isinstance(value, float | Column) and not bool(abs(value) <= largest):
         raise StandError([f"stand {stand.name}: {name} is {value:.6g}, expected at most {largest:g} in {precision}"])
-
-
-def _exceeds(value: Any, largest: float) -> bool:
-    return not abs(value) <= largest
-
-
-class _Laws:
-    """Reads the numbers of the laws: what `prepare` leaves in a table as it is."""
-
-    def __init__(self, stand: Stand, layout: Layout, program: Interpreter) -> None:
-        self._stand = stand
-        self._layout = layout
-        self._program = program
-
-    def read(self) -> Any:
-        """A table whose laws are filled in, the rest zero."""
-        layout, stand = self._layout, self._stand
-        table = self._program.new(layout.table)
-        laws: dict[str, Any] = {}
-        if layout.weight:
-            laws["gravity"] = list(stand.gravity)
-        if stand.stream is not None:
-            laws["stream"] = list(stand.stream)
-        if stand.profile is not None:
-            laws[stream.NAME] = stream.values(stand.profile)
-        if stand.hold is not None:
-            pivot, sliding = carried_point(stand.hold)
-            laws |= {"pivot": list(pivot), "sliding": [x for row in sliding for x in row]}
-            if layout.freedoms:
-                laws["S"] = [list(row) for row in zip(*twist_columns(stand.hold), strict=True)]
-            if layout.coordinates:
-                attitude = self._program.run("quaternion", {"angles": stand.hold.angles})[1]["attitude"]
-                laws |= {"home_position": list(stand.hold.position), "home_attitude": attitude}
-        rows: dict[str, list[dict[str, Any]]] = {}
-        if layout.carrier_damped:
-            laws["damper"] = self._damper(stand.carrier, rows)
-        for k, local_body in enumerate(layout.local_bodies):
-            frame = table.frame[k]
-            for name, value in (
-                ("flywheel", local_body.flywheel),
-                ("instrument", local_body.instrument),
-                ("wrench", local_body.input),
-            ):
-                if layout.frame.field(name) is not None:
-                    setattr(frame, name, value)
-            if layout.local_damped:
-                body = stand.bodies[local_body.index]
-                damper = self._damper(body, rows)
-                _check_range(stand, layout, f"{body.name}.damping", damper)
-                frame.damper = self._program.fill_storage(layout.damper, damper)
-        laws |= rows
-        for law in layout.law_tables:
-            laws |= law.values(stand, self._program.run)
-        for name, value in laws.items():
-            field = layout.table.field(name)
-            assert field is not None
-            _check_range(stand, layout, name, value)
-            setattr(table, name, self._program.fill_storage(field.type, value, field.shape))
-        return table
-
-    def _damper(self, body: Body, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
-        """One damper; the rows that it has in arrays of the table are appended to `rows`, by name of the array."""
-        members: dict[str, Any] = {}
-        for law in parts("program", BodyProgram, BODY_LAWS):
-            members |= law.damper_values(body, self._layout.damper, rows)
-        return members
 
 
 def laws_of(stand: Stand, layout: Layout, program: Interpreter) -> Any:
     """A table whose laws are filled in, the rest zero. Raises StandError where a number is out of range."""
-    return _Laws(stand, layout, program).read()
+    rows: dict[str, list[dict[str, Any]]] = {}
+
+    def damper_of(body: Body) -> dict[str, Any]:
+        """One damper; the rows that it has in arrays of the table are appended to `rows`, by name of the array."""
+        members: dict[str, Any] = {}
+        for law in parts("program", BodyProgram, BODY_LAWS):
+            members |= law.damper_values(body, layout.damper, rows)
+        return members
+
+    table = program.new(layout.table)
+    laws: dict[str, Any] = {}
+    if layout.weight:
+        laws["gravity"] = list(stand.gravity)
+    if stand.stream is not None:
+        laws["stream"] = list(stand.stream)
+    if stand.profile is not None:
+        laws[stream.NAME] = stream.values(stand.profile)
+    if stand.hold is not None:
+        pivot, sliding = carried_point(stand.hold)
+        laws |= {"pivot": list(pivot), "sliding": [x for row in sliding for x in row]}
+        if layout.freedoms:
+            laws["S"] = [list(row) for row in zip(*twist_columns(stand.hold), strict=True)]
+        if layout.coordinates:
+            attitude = program.run("quaternion", {"angles": stand.hold.angles})[1]["attitude"]
+            laws |= {"home_position": list(stand.hold.position), "home_attitude": attitude}
+    if layout.carrier_damped:
+        laws["damper"] = damper_of(stand.carrier)
+    for k, local_body in enumerate(layout.local_bodies):
+        frame = table.frame[k]
+        for name, value in (
+            ("flywheel", local_body.flywheel),
+            ("instrument", local_body.instrument),
+            ("wrench", local_body.input),
+        ):
+            if layout.frame.field(name) is not None:
+                setattr(frame, name, value)
+        if layout.local_damped:
+            body = stand.bodies[local_body.index]
+            damper = damper_of(body)
+            _check_range(stand, layout, f"{body.name}.damping", damper)
+            frame.damper = program.fill_storage(layout.damper, damper)
+    laws |= rows
+    for law in layout.law_tables:
+        laws |= law.values(stand, program.run)
+    for name, value in laws.items():
+        field = layout.table.field(name)
+        assert field is not None
+        _check_range(stand, layout, name, value)
+        setattr(table, name, program.fill_storage(field.type, value, field.shape))
+    return table
 
 
 class Values:
@@ -227,21 +192,16 @@ class Values:
     def __init__(self, stand: Stand, layout: Layout, program: Program) -> None:
         self._layout = layout
         self._stand = stand
-        self._program = Interpreter(program)
+        self.interpreter = Interpreter(program)
         self.parameters = parameters_of(stand, layout)
         self.table = self._table()
         self.mounting = self._mounting() if layout.flywheels else None
         self.options = self._options() if layout.flywheels else None
 
-    @property
-    def interpreter(self) -> Interpreter:
-        """The interpreter of the stand's program."""
-        return self._program
-
     def _table(self) -> dict[str, Any]:
         """prepare on the laws of the stand file. Raises StandError where it refuses the parameters."""
-        inputs = {"parameters": self.parameters, "table": laws_of(self._stand, self._layout, self._program)}
-        status, outputs = self._program.run("prepare", inputs)
+        inputs = {"parameters": self.parameters, "table": laws_of(self._stand, self._layout, self.interpreter)}
+        status, outputs = self.interpreter.run("prepare", inputs)
         if status != STATUS_VALUES["OK"]:
             name = status_words(status)
             where = f"stand {self._stand.name}: its masses and inertias are refused by prepare"
@@ -266,7 +226,9 @@ class Values:
 
     def _mounting(self) -> dict[str, Any]:
         """prepare_mounts on the same parameters."""
-        mounting: dict[str, Any] = self._program.run("prepare_mounts", {"parameters": self.parameters})[1]["mounting"]
+        mounting: dict[str, Any] = self.interpreter.run("prepare_mounts", {"parameters": self.parameters})[1][
+            "mounting"
+        ]
         return mounting
 
 
@@ -323,18 +285,7 @@ def law_struct(layout: Layout) -> Struct:
 
 def reals(struct: Struct, value: Any) -> Iterator[Any]:
     """Every real of a struct, given as dicts or records, depth first."""
-    for f in struct.fields:
-        yield from _elements(f.type, member(value, f.name), len(f.shape))
-
-
-def _elements(type_: Kind | Struct, value: Any, depth: int) -> Iterator[Any]:
-    if depth:
-        for element in value:
-            yield from _elements(type_, element, depth - 1)
-    elif isinstance(type_, Struct):
-        yield from reals(type_, value)
-    elif type_ is Kind.REAL:
-        yield value
+    return (x for kind, x in leaves(struct, (), value) if kind is Kind.REAL)
 
 
 def columns(struct: Struct, value: Any, varied: Iterator[NDArray[Any] | None], n: int) -> dict[str, Any]:

@@ -35,10 +35,8 @@ class Member:
     @classmethod
     def of_json(cls, raw: Mapping[str, Any]) -> Member:
         """The member of its fields as JSON has them."""
-        members = tuple(map(cls.of_json, raw["members"]))
-        return cls(
-            raw["name"], raw["kind"], tuple(raw["shape"]), tuple(raw["axes"]), raw["unit"], raw["meaning"], members
-        )
+        lists = {"shape": tuple(raw["shape"]), "axes": tuple(raw["axes"])}
+        return cls(**{**raw, **lists, "members": tuple(map(cls.of_json, raw["members"]))})
 
     @property
     def size(self) -> int:
@@ -78,11 +76,8 @@ class ArrayFunction:
     @classmethod
     def of_json(cls, raw: Mapping[str, Any]) -> ArrayFunction:
         """The function of its fields as JSON has them."""
-        arguments = tuple(
-            ArgumentLayout(a["name"], a["direction"], a["order"], tuple(map(Member.of_json, a["members"])))
-            for a in raw["arguments"]
-        )
-        return cls(raw["name"], raw["purpose"], raw["wide"], arguments)
+        arguments = ({**a, "members": tuple(map(Member.of_json, a["members"]))} for a in raw["arguments"])
+        return cls(**{**raw, "arguments": tuple(ArgumentLayout(**a) for a in arguments)})
 
 
 def members(struct: Struct) -> tuple[Member, ...]:

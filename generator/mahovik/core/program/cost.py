@@ -9,19 +9,20 @@ clang, at -O1 to -O3 and -Os, 32 and 64 bits, stay below it; tests/emit/test_sta
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
+from operator import add
+from typing import NamedTuple
 
 from mahovik.core.program.call import Call
 from mahovik.core.program.expression import Binary, Compare, Const, Expr, Place, Select
 from mahovik.core.program.function import Function, Program
+from mahovik.core.program.simplify import Range, range_of
 from mahovik.core.program.statement import Block, Declare, Let, Loop, Set, Statement, Statements, When
 from mahovik.core.program.types import Kind, Struct, numbers
 from mahovik.core.program.walk import called_names, direct_expressions, inside, statements
 
 
-@dataclass(frozen=True)
-class Cost:
+class Cost(NamedTuple):
     """Real operations: additions and subtractions, multiplications, divisions, comparisons and selections."""
 
     additions: int = 0
@@ -31,22 +32,13 @@ class Cost:
 
     @property
     def total(self) -> int:
-        return self.additions + self.multiplications + self.divisions + self.comparisons
+        return sum(self)
 
-    def __add__(self, other: Cost) -> Cost:
-        if other is ZERO:
-            return self
-        return Cost(
-            self.additions + other.additions,
-            self.multiplications + other.multiplications,
-            self.divisions + other.divisions,
-            self.comparisons + other.comparisons,
-        )
+    def __add__(self, other: Cost) -> Cost:  # type: ignore[override]  # of numbers, not of their lists
+        return self if other is ZERO else Cost(*map(add, self, other))
 
     def times(self, count: int) -> Cost:
-        return Cost(
-            self.additions * count, self.multiplications * count, self.divisions * count, self.comparisons * count
-        )
+        return Cost(*(number * count for number in self))
 
 
 ZERO = Cost()
@@ -64,24 +56,27 @@ def _counter(functions: tuple[Function, ...]) -> _Counter:
 
 
 class _Counter:
-    """Operations of calls within one program. Each function is counted once for each set of known integer arguments."""
+    """Operations of calls within one program. Each function is counted once for each set of known integer arguments.
+
+    `bound`: integers that are known, by the `id` of their variables, as ranges of one number.
+    """
 
     def __init__(self, functions: tuple[Function, ...]) -> None:
         self._functions = {f.name: f for f in functions}
-        self._done: dict[tuple[str, tuple[tuple[str, int], ...]], Cost] = {}
+        self._done: dict[tuple[str, tuple[tuple[int, Range], ...]], Cost] = {}
 
-    def call(self, name: str, bound: dict[str, int]) -> Cost:
+    def call(self, name: str, bound: dict[int, Range]) -> Cost:
         """Operations of one call of a function of the program."""
         key = (name, tuple(bound.items()))
         if key not in self._done:
             self._done[key] = self.block(self._functions[name].body, bound)
         return self._done[key]
 
-    def block(self, body: Statements, bound: dict[str, int]) -> Cost:
+    def block(self, body: Statements, bound: dict[int, Range]) -> Cost:
         """Operations of statements, with these integer arguments known."""
         return sum((self._statement(s, bound) for s in body), ZERO)
 
-    def _statement(self, s: Statement, bound: dict[str, int]) -> Cost:
+    def _statement(self, s: Statement, bound: dict[int, Range]) -> Cost:
         cost = sum((self._expr(e, bound) for e in direct_expressions(s)), ZERO)
         match s:
             case Set(_, value, _, True) if value.kind is Kind.REAL:
@@ -95,17 +90,18 @@ class _Counter:
                 return cost + (one if one.total >= two.total else two)
         return cost
 
-    def _loop(self, loop: Loop, bound: dict[str, int]) -> Cost:
+    def _loop(self, loop: Loop, bound: dict[int, Range]) -> Cost:
         """Turns times body; turn by turn where an inner loop's bounds depend on the index."""
-        start, stop = _literal(loop.start, bound), _literal(loop.stop, bound)
-        if start is None or stop is None:
+        first, last = range_of(loop.start, bound), range_of(loop.stop, bound)
+        if first is None or last is None:
             return self.block(loop.body, bound).times(loop.most)
-        name = loop.index.name
-        if name in _names_in_bounds(loop.body):
-            return sum((self.block(loop.body, bound | {name: turn}) for turn in range(start, stop)), ZERO)
+        start, stop, index = first[0], last[0], id(loop.index)
+        if index in _variables_in_bounds(loop.body):
+            turns = (self.block(loop.body, bound | {index: (turn, turn)}) for turn in range(start, stop))
+            return sum(turns, ZERO)
         return self.block(loop.body, bound).times(max(0, stop - start))
 
-    def _expr(self, e: Expr, bound: dict[str, int]) -> Cost:
+    def _expr(self, e: Expr, bound: dict[int, Range]) -> Cost:
         cost = sum((self._expr(part, bound) for part in e.operands if not isinstance(e, Place)), ZERO)
         match e:
             case Binary() if e.kind is Kind.REAL:
@@ -115,28 +111,15 @@ class _Counter:
             case Select() if e.kind is Kind.REAL:
                 return cost + Cost(comparisons=1)
             case Call():
-                known = {p.name: int(a.value) for p, a in e.pairs if isinstance(a, Const) and a.kind is Kind.INT}
-                return cost + self.call(e.signature.name, known)
+                numbers = ((p, int(a.value)) for p, a in e.pairs if isinstance(a, Const) and a.kind is Kind.INT)
+                return cost + self.call(e.signature.name, {id(p.variable): (n, n) for p, n in numbers})
         return cost
 
 
-def _names_in_bounds(body: Statements) -> set[str]:
-    """Names of the variables in the bounds of the loops of a body."""
+def _variables_in_bounds(body: Statements) -> set[int]:
+    """`id` of the variables in the bounds of the loops of a body."""
     bounds = (side for s in statements(body) if isinstance(s, Loop) for side in (s.start, s.stop))
-    return {e.root.name for side in bounds for e in inside(side) if isinstance(e, Place)}
-
-
-def _literal(e: Expr, bound: dict[str, int]) -> int | None:
-    """An integer expression of literals and known names."""
-    if isinstance(e, Const):
-        return int(e.value)
-    if isinstance(e, Place):
-        return bound.get(e.root.name) if not e.path else None
-    if isinstance(e, Binary) and e.operator in "+-":
-        left, right = _literal(e.left, bound), _literal(e.right, bound)
-        if left is not None and right is not None:
-            return left + right if e.operator == "+" else left - right
-    return None
+    return {id(e.root) for side in bounds for e in inside(side) if isinstance(e, Place)}
 
 
 # ---- stack ----

@@ -48,7 +48,7 @@ from mahovik.core.program.statement import (
     When,
 )
 from mahovik.core.program.types import Kind, Precision
-from mahovik.core.program.walk import blocks, called_names, inside, statements, used_variables, with_blocks
+from mahovik.core.program.walk import are_same, blocks, called_names, inside, statements, used_variables, with_blocks
 
 REFUSED = "refused"
 """Name of the argument."""
@@ -335,13 +335,6 @@ def _outside(condition: Expr) -> tuple[Expr, Expr] | None:
                 left=Compare(operator=">=", left=Place() as value, right=Negate(operand=below)),
                 right=Compare(operator="<=", left=same, right=limit),
             )
-        ) if value is same and _alike(below, limit):
+        ) if value is same and are_same(below, limit):
             return value, limit
     return None
-
-
-def _alike(a: Expr, b: Expr) -> bool:
-    """Are two limits one argument or one literal?"""
-    if isinstance(a, Place) and isinstance(b, Place):
-        return a.root is b.root and not a.path and not b.path
-    return isinstance(a, Const) and isinstance(b, Const) and (a.value, a.name) == (b.value, b.name)

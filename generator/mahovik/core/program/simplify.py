@@ -21,6 +21,7 @@ from mahovik.core.program.statement import Declare, Do, Let, Loop, Note, Return,
 from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import (
     FreshNames,
+    are_same,
     blocks,
     direct_expressions,
     expressions,
@@ -36,6 +37,8 @@ from mahovik.core.program.walk import (
 )
 
 Meanings = dict[int, Expr]
+Range = tuple[int, int]
+"""Least and largest value of an integer."""
 
 
 def prune(function: Function) -> Function:
@@ -150,13 +153,13 @@ def loops_of_no_turn(body: Statements) -> Iterator[Loop]:
     return _loops_of_no_turn(body, {})
 
 
-def _loops_of_no_turn(body: Statements, ranges: dict[int, tuple[int, int]]) -> Iterator[Loop]:
+def _loops_of_no_turn(body: Statements, ranges: dict[int, Range]) -> Iterator[Loop]:
     """`ranges`: least and largest value of variables, by their `id`."""
     for s in body:
-        if isinstance(s, Let) and (among := _range(s.value, ranges)):
+        if isinstance(s, Let) and (among := range_of(s.value, ranges)):
             ranges[id(s.variable)] = among
         if isinstance(s, Loop):
-            first, last = _range(s.start, ranges), _range(s.stop, ranges)
+            first, last = range_of(s.start, ranges), range_of(s.stop, ranges)
             if first and last and last[1] <= first[0]:
                 yield s
                 continue
@@ -166,14 +169,14 @@ def _loops_of_no_turn(body: Statements, ranges: dict[int, tuple[int, int]]) -> I
             yield from _loops_of_no_turn(inner, ranges)
 
 
-def _range(e: Expr, ranges: dict[int, tuple[int, int]]) -> tuple[int, int] | None:
+def range_of(e: Expr, ranges: dict[int, Range]) -> Range | None:
     """Least and largest value of an integer expression, or None where that is not known."""
     if isinstance(e, Const) and e.kind is Kind.INT:
         return int(e.value), int(e.value)
     if isinstance(e, Place) and not e.path:
         return ranges.get(id(e.root))
     if isinstance(e, Binary) and e.kind is Kind.INT and e.operator in "+-":
-        left, right = _range(e.left, ranges), _range(e.right, ranges)
+        left, right = range_of(e.left, ranges), range_of(e.right, ranges)
         if left and right:
             low, high = right if e.operator == "+" else (-right[1], -right[0])
             return left[0] + low, left[1] + high
@@ -256,7 +259,7 @@ def _without_idle_choices(e: Expr) -> Expr:
     """The expression without choices between a place and the same place."""
     new = e.with_operands(_without_idle_choices)
     if isinstance(new, Select) and isinstance(new.yes, Place) and isinstance(new.no, Place):
-        return new.yes if _are_same(new.yes, new.no) else new
+        return new.yes if are_same(new.yes, new.no) else new
     return new
 
 
@@ -264,19 +267,7 @@ def _is_overwritten(s: Statement, later: Statement) -> bool:
     """Does the next statement give another value to what this one sets to a literal?"""
     if not (isinstance(s, Set) and isinstance(later, Set)) or s.add or later.add:
         return False
-    return isinstance(s.value, Const) and isinstance(later.value, Const) and _are_same(s.place, later.place)
-
-
-def _are_same(a: Place, b: Place) -> bool:
-    if a.root is not b.root or len(a.path) != len(b.path):
-        return False
-    for one, two in zip(a.path, b.path, strict=True):
-        if isinstance(one, str) or isinstance(two, str):
-            if one != two:
-                return False
-        elif (number := literal(one)) is None or number != literal(two):
-            return False
-    return True
+    return isinstance(s.value, Const) and isinstance(later.value, Const) and are_same(s.place, later.place)
 
 
 def restrict_program(program: Program, names: Collection[str], kept: Collection[str]) -> Program:

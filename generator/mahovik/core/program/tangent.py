@@ -22,6 +22,7 @@ from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, R
 from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import (
     FreshNames,
+    are_same,
     blocks,
     direct_expressions,
     expressions,
@@ -220,7 +221,7 @@ class _Direction:
         left, right = self.of(e.left), self.of(e.right)
         if e.operator in "+-":
             return _sum(left, right if e.operator == "+" else _minus(right))
-        if e.operator == "*" and left is not None and _are_same(e.left, e.right):
+        if e.operator == "*" and left is not None and are_same(e.left, e.right):
             return _product(real(2), _product(e.left, left))
         if e.operator == "*":
             return _sum(_product(left, e.right), _product(e.left, right))
@@ -523,22 +524,6 @@ def _key(place: Place) -> Key:
 def _meet(a: Key, b: Key) -> bool:
     """Can one be a part of the other?"""
     return all(x == y or x is None or y is None for x, y in zip(a, b, strict=False))
-
-
-def _are_same(a: Expr, b: Expr) -> bool:
-    """Are two expressions the same tree?"""
-
-    def head(e: Expr) -> tuple[Any, ...]:
-        match e:
-            case Place():
-                return (id(e.root), *(step for step in e.path if isinstance(step, str)))
-            case Call():
-                return (e.signature.name,)
-        return tuple(getattr(e, name, None) for name in ("value", "name", "operator", "kind"))
-
-    if type(a) is not type(b) or head(a) != head(b) or len(a.operands) != len(b.operands):
-        return False
-    return all(_are_same(x, y) for x, y in zip(a.operands, b.operands, strict=True))
 
 
 # -- sums and products without zeros and ones --------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from math import prod
@@ -130,18 +130,23 @@ class Struct:
 
 
 def leaves(type_: Kind | Struct, shape: Shape, value: Any) -> Iterator[tuple[Kind, Any]]:
-    """Kind and number of every scalar of a value of dicts (structs), lists (arrays) and numbers, in C's order."""
+    """Kind and number of every scalar of a value, dicts or records (structs), lists (arrays), numbers; C's order."""
     if shape:
         for element in value:
             yield from leaves(type_, shape[1:], element)
     elif isinstance(type_, Struct):
         for f in type_.fields:
-            yield from leaves(f.type, f.shape, value[f.name])
+            yield from leaves(f.type, f.shape, member(value, f.name))
     else:
         yield type_, value
 
 
-def numbers(type_: Kind | Struct, shape: Shape = ()) -> int:
-    """How many scalars a value has."""
-    one = sum(numbers(f.type, f.shape) for f in type_.fields) if isinstance(type_, Struct) else 1
-    return one * prod(map(int, shape))
+def numbers(type_: Kind | Struct, shape: Shape = (), kinds: Collection[Kind] = tuple(Kind)) -> int:
+    """How many scalars of these kinds a value has."""
+    of = (numbers(f.type, f.shape, kinds) for f in type_.fields) if isinstance(type_, Struct) else [type_ in kinds]
+    return sum(of) * prod(map(int, shape))
+
+
+def member(value: Any, name: str) -> Any:
+    """A member of a struct, given as a mapping or as an object."""
+    return value[name] if isinstance(value, Mapping) else getattr(value, name)

@@ -130,6 +130,22 @@ def substitution(meanings: Mapping[int, Expr]) -> Leaf:
     return leaf
 
 
+def are_same(a: Expr, b: Expr) -> bool:
+    """Are two expressions the same tree?"""
+
+    def head(e: Expr) -> tuple[Any, ...]:
+        match e:
+            case Place():
+                return (id(e.root), *(step for step in e.path if isinstance(step, str)))
+            case Call():
+                return (e.signature.name,)
+        return tuple(getattr(e, name, None) for name in ("value", "name", "operator", "kind"))
+
+    if type(a) is not type(b) or head(a) != head(b) or len(a.operands) != len(b.operands):
+        return False
+    return all(are_same(x, y) for x, y in zip(a.operands, b.operands, strict=True))
+
+
 # ---- variables and functions ----
 
 

@@ -45,6 +45,7 @@ from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, S
 from mahovik.core.program.types import Field, Kind, Precision, Struct
 from mahovik.core.program.walk import (
     FreshNames,
+    are_same,
     blocks,
     direct_expressions,
     inside,
@@ -483,9 +484,7 @@ def _without_branches(e: Expr) -> Expr:
 def _is_magnitude(e: Select) -> bool:
     """Is a choice one between an element of an array and its negative, of which compilers make no branch?"""
     number = e.yes.operand if isinstance(e.yes, Negate) else None
-    if not isinstance(number, Place) or not isinstance(e.no, Place):
-        return False
-    return bool(number.path) and number.root is e.no.root and repr(number) == repr(e.no)
+    return isinstance(number, Place) and bool(number.path) and are_same(number, e.no)
 
 
 def _only_refuse(body: Statements) -> bool:

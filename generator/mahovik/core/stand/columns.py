@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass, replace
 from typing import Any, TypeVar, cast
 
 import numpy as np
@@ -25,16 +25,11 @@ Tree = TypeVar("Tree")
 _COMPARISONS = (np.equal, np.not_equal, np.less, np.less_equal, np.greater, np.greater_equal)
 
 
-@dataclass
 class Run:
     """One reading of many samples. `diverged`: samples that would not have gone the way of the first."""
 
-    diverged: NDArray[np.bool_]
-
-    @staticmethod
-    def of(n: int) -> Run:
-        """A reading of n samples, none of which has diverged."""
-        return Run(np.zeros(n, dtype=np.bool_))
+    def __init__(self, n: int) -> None:
+        self.diverged: NDArray[np.bool_] = np.zeros(n, dtype=np.bool_)
 
 
 class Column(NDArrayOperatorsMixin):

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from mahovik.core.stand.fields import name_problem
 from mahovik.core.stand.hold import FREEDOMS, closing_words, freedom_names, freedom_words, is_closed
-from mahovik.core.stand.masses import cross, placement, turn
+from mahovik.core.stand.masses import cross, placement
 from mahovik.core.stand.model import COMPONENTS, Hold, Instrument, Point, Sequence, Stand, Task, TaskRow
 from mahovik.core.stand.tables import Problems
 from mahovik.core.stand.units import ANGLE, LENGTH, PLAIN, Dimension, show
@@ -169,9 +169,8 @@ def places_of(instruments: tuple[Instrument, ...], points: tuple[Point, ...]) ->
     for point in points:
         if point.mount in frames:
             origin, axes = frames[point.mount]
-            psi, theta, phi = point.angles
-            axes_of_point = turn(2, psi) @ turn(1, theta) @ turn(0, phi)
-            places[point.name] = (origin + axes @ np.array(point.position), axes @ axes_of_point)
+            at, own_axes = placement(point)
+            places[point.name] = (origin + axes @ at, axes @ own_axes)
     return places
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.fields import Mat3
-from mahovik.core.stand.model import Body, Flywheel, Instrument, MountingAngles, Stand, Vec3
+from mahovik.core.stand.model import Body, Flywheel, Instrument, MountingAngles, Point, Stand, Vec3
 
 Array = NDArray[np.float64]
 
@@ -25,8 +25,8 @@ def mount_of(stand: Stand, body: Instrument | Flywheel) -> Instrument | None:
     return next((instrument for instrument in stand.instruments if instrument.name == body.mount), None)
 
 
-def placement(body: Instrument | Flywheel) -> tuple[Array, Array]:
-    """Origin of a body in the frame of its mount, m, and its axes there as columns (a flywheel's at phi_s = 0)."""
+def placement(body: Instrument | Flywheel | Point) -> tuple[Array, Array]:
+    """Origin in the frame of its mount, m, and axes there as columns (a flywheel's at phi_s = 0)."""
     position = np.array(body.position)
     if isinstance(body, Flywheel):
         return position, _axes(body)
@@ -48,14 +48,7 @@ def pose(stand: Stand, body: Body) -> tuple[Array, Array]:
 
 def transfer(position: Array, C: Array) -> Array:
     """Transfer of wrenches (6, 6) from a frame with that origin, m, and axes C (columns) to its mount's frame."""
-    return blocks(C, np.zeros((3, 3)), cross(position) @ C, C)
-
-
-def blocks(A: Array, B: Array, C: Array, D: Array) -> Array:
-    """[[A, B], [C, D]] (6, 6) of four 3x3. As np.block, which takes ten times as long."""
-    statements: Array = np.empty((6, 6))
-    statements[:3, :3], statements[:3, 3:], statements[3:, :3], statements[3:, 3:] = A, B, C, D
-    return statements
+    return np.block([[C, np.zeros((3, 3))], [cross(position) @ C, C]])
 
 
 def _axes(flywheel: Flywheel) -> Array:

@@ -21,7 +21,6 @@ from mahovik.core.stand.datasheet import Moments
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.laws import body_laws
 from mahovik.core.stand.masses import (
-    blocks,
     cross,
     inertia_about_center,
     inertia_about_origin,
@@ -375,7 +374,7 @@ def _fixed_inertia(stand: Stand) -> Array:
 
 def _spatial(body: Carrier | Instrument | Flywheel) -> Array:
     first = body.mass * cross(np.array(body.center_of_mass))
-    return blocks(body.mass * np.eye(3), -first, first, inertia_about_origin(body))
+    return np.block([[body.mass * np.eye(3), -first], [first, inertia_about_origin(body)]])
 
 
 # -- many samples of one stand: arrays, no eigenvalues -----------------------------------------------------------------

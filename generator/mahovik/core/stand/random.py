@@ -29,7 +29,6 @@ from mahovik.core.stand.model import (
     Encoder,
     Flywheel,
     Instrument,
-    Mat6,
     MountingAngles,
     MountingAxes,
     Point,
@@ -95,12 +94,12 @@ def random_stand(
     names = [f"i{k + 1}" for k in range(draw.count(features.instruments, 2))]
     mounts = ["carrier", *names]
     carrier = Carrier(
-        **draw.body("carrier", 12.0, 0.25, fluid, inputs), added_mass=draw.added_mass(6.0) if fluid else None
+        **draw.body("carrier", 12.0, 0.25, fluid, inputs), added_mass=draw.definite6(6.0) if fluid else None
     )
     instruments = tuple(
         Instrument(
             **draw.body(flywheel, 2.0, 0.08, fluid, inputs),
-            added_mass=draw.added_mass(0.8) if fluid and rng.random() < 0.5 else None,
+            added_mass=draw.definite6(0.8) if fluid and rng.random() < 0.5 else None,
             position=draw.vec3(0.25),
             angles=draw.vec3(1.0),
         )
@@ -133,7 +132,8 @@ def random_stand(
         instruments=instruments,
         flywheels=wheels,
         points=points,
-        tasks=_tasks(_tasks_generator(rng), features.tasks, instruments, points) if flywheels else (),
+        # by a generator of their own: what else is drawn stays as it is without tasks
+        tasks=_tasks(rng.spawn(1)[0], features.tasks, instruments, points) if flywheels else (),
         laws=tuple(law for law in laws if law is not None),
     )
     return _with_flow(stand, Draw(rng.spawn(1)[0])) if features.flow else stand
@@ -160,11 +160,6 @@ def _with_drawn(stand: Stand, draw: Draw, steers: bool) -> Stand:
         instruments=tuple(map(add_laws, stand.instruments)),
         flywheels=tuple(map(add_laws, stand.flywheels)),
     )
-
-
-def _tasks_generator(rng: np.random.Generator) -> np.random.Generator:
-    """A generator of its own for tasks: what else is drawn of `rng` stays as it is without tasks."""
-    return rng.spawn(1)[0]
 
 
 def _tasks(
@@ -211,9 +206,6 @@ class _Bodies(Draw):
             "laws": tuple(law for kind in body_laws() if fluid and (law := kind.random_with(self, extent)) is not None),
             "wrench_input": inputs and bool(rng.random() < 0.6),
         }
-
-    def added_mass(self, size: float) -> Mat6:
-        return self.definite6(size)
 
     def mounting(self) -> MountingAngles | MountingAxes:
         if self.rng.random() < 0.6:
@@ -345,55 +337,41 @@ def extreme_state(
 
     `least_exponent`: decimal, of tiny numbers; subnormal ones are among them.
     """
-    return along_freedoms(stand, _extreme_state(stand, rng, kind, phase_limit, least_exponent), rng)
-
-
-def _extreme_state(
-    stand: Stand, rng: np.random.Generator, kind: str, phase_limit: float, least_exponent: float
-) -> State:
-    if kind == "rest":
-        return rest_state(stand)
-    state = random_state(stand, rng)
-    N = len(stand.flywheels)
+    if kind not in EXTREMES:
+        raise ValueError(f"no extreme state of kind {kind!r}")
+    state = rest_state(stand) if kind == "rest" else random_state(stand, rng)
+    N, changes = len(stand.flywheels), dict[str, Any]()
     if kind == "quarter_phases":
-        return replace(state, phi=_tuple(rng.integers(-8, 9, N) * (math.pi / 2)))
-    if kind == "huge_phases":
-        return replace(state, phi=_tuple(rng.uniform(0.5, 1.0, N) * rng.choice([-1.0, 1.0], N) * phase_limit))
-    if kind == "fast":
+        changes["phi"] = _tuple(rng.integers(-8, 9, N) * (math.pi / 2))
+    elif kind == "huge_phases":
+        changes["phi"] = _tuple(rng.uniform(0.5, 1.0, N) * rng.choice([-1.0, 1.0], N) * phase_limit)
+    elif kind == "fast":
         speeds = rng.uniform(0.3, 1.0, N) * rng.choice([-1.0, 1.0], N) * BOUNDS["MAX_SPEED"].value
         turning = rng.normal(size=6) * [30, 30, 30, 300, 300, 300]
-        return replace(state, V=cast(Vec6, _tuple(turning)), phi_dot=_tuple(speeds))
-    if kind == "half_turn":
+        changes = {"V": _tuple(turning), "phi_dot": _tuple(speeds)}
+    elif kind == "half_turn":
         axis = rng.normal(size=3) if rng.random() < 0.5 else np.eye(3)[int(rng.integers(3))]
         x, y, z = axis / np.linalg.norm(axis)
-        return replace(state, angles=None, quaternion=(0.0, float(x), float(y), float(z)))
-    if kind == "near_singular":
+        changes = {"angles": None, "quaternion": (0.0, float(x), float(y), float(z))}
+    elif kind == "near_singular":
         off = 10.0 ** rng.uniform(-5, -2) * rng.choice([-1.0, 1.0])  # the limit is 1e-6
         singular = rng.choice([0.0, math.pi]) if stand.angles == "euler" else rng.choice([-0.5, 0.5]) * math.pi
         psi, phi = rng.uniform(-3, 3, 2)
-        return replace(state, angles=(float(psi), float(singular + off), float(phi)), quaternion=None)
-    if kind == "tiny":
+        changes = {"angles": (float(psi), float(singular + off), float(phi)), "quaternion": None}
+    elif kind == "tiny":
         scale = 10.0 ** rng.uniform(least_exponent, least_exponent / 31)
-        return replace(
-            state,
-            position=cast(Vec3, _tuple(np.array(state.position) * scale)),
-            V=cast(Vec6, _tuple(np.array(state.V) * scale)),
-            phi=_tuple(np.array(state.phi) * scale),
-            phi_dot=_tuple(np.array(state.phi_dot) * scale),
-        )
-    if kind == "limits":
+        changes = {name: _tuple(np.array(getattr(state, name)) * scale) for name in ("position", "V", "phi", "phi_dot")}
+    elif kind == "limits":
         sign = rng.choice([-1.0, 1.0], 6)
-        return replace(
-            state,
-            position=cast(Vec3, _tuple(rng.choice([-1.0, 1.0], 3) * limits_of("position"))),
-            V=cast(Vec6, _tuple(sign * limits_of("V"))),
-            phi=_tuple(rng.choice([-1.0, 1.0], N) * phase_limit),
-            phi_dot=_tuple(rng.choice([-1.0, 1.0], N) * limits_of("phi_dot")),
-            phi_ddot=_tuple(rng.choice([-1.0, 1.0], N) * limits_of("phi_ddot")),
-            V_dot=cast(Vec6, _tuple(sign * limits_of("V_dot"))),
-            tau=_tuple(rng.choice([-1.0, 1.0], N) * limits_of("tau")),
-        )
-    raise ValueError(f"no extreme state of kind {kind!r}")
+        changes = {
+            "position": _tuple(rng.choice([-1.0, 1.0], 3) * limits_of("position")),
+            "V": _tuple(sign * limits_of("V")),
+            "phi": _tuple(rng.choice([-1.0, 1.0], N) * phase_limit),
+            "V_dot": _tuple(sign * limits_of("V_dot")),
+        }
+        for name in ("phi_dot", "phi_ddot", "tau"):
+            changes[name] = _tuple(rng.choice([-1.0, 1.0], N) * limits_of(name))
+    return along_freedoms(stand, replace(state, **changes), rng)
 
 
 def _attitude(stand: Stand, rng: np.random.Generator) -> tuple[Vec3 | None, Quaternion | None]:

@@ -15,7 +15,7 @@ from mahovik.core.stand import physical
 from mahovik.core.stand.coordinates import check_tasks, name_of_task_problem
 from mahovik.core.stand.datasheet import FlywheelForm, Moments, moments_of, thin_disc
 from mahovik.core.stand.fields import ZERO3
-from mahovik.core.stand.files import kind_of, parse_toml, readable_text, toml_text, wrong_kind
+from mahovik.core.stand.files import TEXT, kind_of, parse_toml, text_of, toml_text, wrong_kind
 from mahovik.core.stand.law import BodyLaw, CarrierLaw, HeldLaw
 from mahovik.core.stand.laws import (
     arrays,
@@ -69,11 +69,7 @@ def loads(text: str, source: str = "stand") -> Stand:
 def document_at(path: str | Path) -> dict[str, Any]:
     """The keys of the stand file at `path`, floats as Decimal, not checked. Raises StandError of other files."""
     path = Path(path)
-    try:
-        text = readable_text(path, "a stand file (TOML)")
-    except ValueError as error:
-        raise StandError([str(error)]) from None
-    return _document(text, path.name)
+    return _document(text_of(path, "a stand file (TOML)", TEXT, StandError), path.name)
 
 
 def _document(text: str, source: str) -> dict[str, Any]:

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import shlex
 
-from mahovik.core.emit.fuzz import fuzz_harness
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.recorder import recorder_files
+from mahovik.core.emit.selftest import fuzz_harness
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities

@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.contract.quantities import TABLES
-from mahovik.core.emit.calls import address, argument_text, call, declaration, initialiser_of
+from mahovik.core.emit.calls import address, argument_text, call, declaration
+from mahovik.core.emit.literal import initialiser_of, real_literal
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.recorder import logging
 from mahovik.core.emit.templates import template
@@ -145,7 +146,7 @@ def _call(f: Function, names: Names, order: int) -> str:
 
 
 def _constant(a: Argument, states: Sequence[Mapping[str, Any]], names: Names, precision: Precision) -> dict[str, Any]:
-    rows = [initialiser_of(a.type, a.shape, state[a.name], precision, exact=False) for state in states]
+    rows = [initialiser_of(a.type, a.shape, state[a.name], lambda x: real_literal(x, precision)) for state in states]
     declaration = names.declaration(f"{a.name}[STATES]", a.type, a.shape)
     return {"declaration": declaration, "rows": rows}
 

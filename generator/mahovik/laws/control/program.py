@@ -8,9 +8,9 @@ from typing import Any
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import OWN_TWIST, SIX, WRENCH, BodyProgram
-from mahovik.core.lower.units import Member, member
+from mahovik.core.lower.units import Member
 from mahovik.core.program.kernel import Reals, Record, inline, let, reals
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, Struct, member
 from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand, Structure
 from mahovik.laws.control.law import MOST_FACTORS, Control, ControlDerivatives, Factor
 

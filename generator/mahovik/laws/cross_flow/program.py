@@ -11,9 +11,9 @@ import numpy as np
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import OWN_TWIST, WRENCH, BodyProgram
-from mahovik.core.lower.units import Member, member
+from mahovik.core.lower.units import Member
 from mahovik.core.program.kernel import Reals, Record
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, Struct, member
 from mahovik.core.stand.model import Body, Stand, Structure
 from mahovik.laws.cross_flow.law import CrossFlow
 

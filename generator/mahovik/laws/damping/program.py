@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import CYCLES, OWN_TWIST, SIX, WRENCH, BodyProgram
-from mahovik.core.lower.units import Member, matrix, member
+from mahovik.core.lower.units import Member, matrix
 from mahovik.core.program.kernel import Reals, Record, reals
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, Struct, member
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import ZERO6
 from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand, Structure

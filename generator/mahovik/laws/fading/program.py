@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import OWN_TWIST, WRENCH, BodyProgram
-from mahovik.core.lower.units import Member, matrix, member
+from mahovik.core.lower.units import Member, matrix
 from mahovik.core.program.kernel import Reals, Record
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, Struct, member
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import ZERO6
 from mahovik.core.stand.model import Body, Structure

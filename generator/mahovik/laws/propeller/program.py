@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import CYCLES, OWN_TWIST, THREE, WRENCH, BodyProgram, RunTimeInput
-from mahovik.core.lower.units import Member, member
+from mahovik.core.lower.units import Member
 from mahovik.core.program.kernel import Reals, Record, reals
-from mahovik.core.program.types import Field, Kind, NamedCount, Struct
+from mahovik.core.program.types import Field, Kind, NamedCount, Struct, member
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import unit
 from mahovik.core.stand.model import Body, Stand, Structure, Vec3

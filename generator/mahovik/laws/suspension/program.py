@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, Run, declared
-from mahovik.core.lower.units import Member, matrix, member, vector
+from mahovik.core.lower.units import Member, matrix, vector
 from mahovik.core.program.expression import Place
 from mahovik.core.program.kernel import Reals, Record, argument, body, reals, result
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, Struct, member
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.model import Stand, Structure
 from mahovik.laws.suspension.law import Suspension

@@ -245,7 +245,7 @@ def variants(stand: Stand, real: str, samples: Samples) -> Variants:
     readings: list[tuple[NDArray[np.int64], NDArray[np.bool_], list[Any]]] = []
     rows: NDArray[np.int64] = np.arange(n)
     while rows.size or not readings:
-        run = Run.of(len(rows))
+        run = Run(len(rows))
         # of no sample at all the stand itself is read
         sampled, document = _read(stand, samples.columns(rows, run) if rows.size else {}, samples, rows)
         if replace(structure(sampled), motor_points=wanted.motor_points) != wanted:

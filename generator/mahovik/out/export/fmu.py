@@ -8,7 +8,7 @@ import zipfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from mahovik.core.emit.fmu import block_sources, fmu_description, fmu_sources
+from mahovik.core.emit.fmu import block_sources, compiled_sources, fmu_description, fmu_sources
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.lower.fmu_variables import Inputs, Kind, Start, form
@@ -55,12 +55,12 @@ def export_fmu(
     description = fmu_description(stand, variables, max(STEP, dt))
     sources = fmu_sources(stand, generated, variables, description.token)
     files: dict[str, str | bytes] = {"modelDescription.xml": description.text}
-    files |= {f"sources/{name}": text for name, text in sources.files.items()}
+    files |= {f"sources/{name}": text for name, text in sources.items()}
     lines = [f"FMI 2.0, {'co-simulation' if kind == 'cs' else 'model exchange'}; {description.token}"]
     if binary:
         place = f"binaries/{platform_folder()}/{stand.name}{module_suffix()}"
         try:
-            files[place] = build_module(sources.files, sources.compiled)
+            files[place] = build_module(sources, compiled_sources(stand))
             lines.append(f"binary: {place}")
         except NoCompilerError as error:
             lines.append(f"no binary, only sources: {error}")
