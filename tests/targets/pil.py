@@ -8,7 +8,7 @@ from functools import partial
 
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.literal import initialiser, real_literal
-from mahovik.core.emit.servo import servo_program_text
+from mahovik.core.emit.servo import ServoPrinter
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities
 from mahovik.out.export.servo import ExportedServo
@@ -39,12 +39,8 @@ def processor_in_the_loop(stand: Stand, real_stand: Stand, made: ExportedServo, 
     precision = made.program.precision
     generated, other = generate_all(stand, precision.name), generate_all(real_stand, precision.name)
     words = "as its file says" if real_stand == stand else "with other numbers than its file"
-    main = servo_program_text(
+    main = ServoPrinter(stand, made.program, made.form, made.tables).render(
         programs.PIL,
-        stand,
-        made.program,
-        made.form,
-        made.tables,
         parameters=initialiser(
             generated.layout.parameters, other.values.parameters, partial(real_literal, precision=precision), {}
         ),

@@ -38,26 +38,6 @@ class Facts:
     limit: float
 
 
-def programme_files(
-    stand: Stand, made: ProgrammeProgram, golden: Golden, facts: Facts, called: str = "programme"
-) -> dict[str, str]:
-    """Text by file name; the manifest, last, has the hashes of the others.
-
-    `called`: what names of files, types and functions have after that of the stand, so that programmes can lie in one
-    image.
-    """
-    printer = _Printer(stand, made, golden, facts)
-    name = f"{stand.name}_programme"
-    files = {
-        f"{name}.h": printer.header(),
-        f"{name}.c": printer.source(),
-        f"{VERIFICATION}{name}_test.c": printer.test(),
-        f"{name}.md": printer.page(),
-    }
-    files = rename_files(files, stand.name, called)
-    return files | {f"{stand.name}_{called}.json": printer.manifest(files)}
-
-
 def rename_files(files: dict[str, str], stand_name: str, called: str) -> dict[str, str]:
     """Files of a programme, or of its servo, with the programme's name in the place of `programme`.
 
@@ -76,8 +56,8 @@ def rename_files(files: dict[str, str], stand_name: str, called: str) -> dict[st
     return {replace_names(name): replace_names(text) for name, text in files.items()}
 
 
-class _Printer:
-    """Collects the parts that the templates put in order."""
+class ProgrammePrinter:
+    """Texts of a programme beside the C of its stand."""
 
     def __init__(self, stand: Stand, made: ProgrammeProgram, golden: Golden, facts: Facts) -> None:
         self._stand, self._made, self._golden, self._facts = stand, made, golden, facts
@@ -93,6 +73,22 @@ class _Printer:
             "table_bytes": sum(numbers(c.form.table) for c in made.courses) * made.program.precision.width // 8,
             "limit": f"{facts.limit:g}",
         }
+
+    def files(self, called: str = "programme") -> dict[str, str]:
+        """Text by file name; the manifest, last, has the hashes of the others.
+
+        `called`: what names of files, types and functions have after that of the stand, so that programmes can lie in
+        one image.
+        """
+        name = f"{self._stand.name}_programme"
+        files = {
+            f"{name}.h": self.header(),
+            f"{name}.c": self.source(),
+            f"{VERIFICATION}{name}_test.c": self.test(),
+            f"{name}.md": self.page(),
+        }
+        files = rename_files(files, self._stand.name, called)
+        return files | {f"{self._stand.name}_{called}.json": self.manifest(files)}
 
     def header(self) -> str:
         """The header: the manual."""

@@ -41,52 +41,32 @@ class ServoTables:
     loop: Mapping[str, Any] = field(default_factory=dict)
 
 
-def servo_code(stand: Stand, program: Program, form: ServoForm, tables: ServoTables) -> dict[str, str]:
-    """Header and source by file name: all that firmware needs beside `<stand>.h`."""
-    printer = _Printer(stand, program, form, tables)
-    name = f"{stand.name}_servo"
-    return {f"{name}.h": printer.header(), f"{name}.c": printer.source()}
-
-
-def servo_files(
-    stand: Stand,
-    program: Program,
-    form: ServoForm,
-    tables: ServoTables,
-    golden: Golden,
-    what: str,
-    called: str = "programme",
-) -> dict[str, str]:
-    """Text by file name, with an example beside the tables of a programme; the manifest, last, has the hashes.
-
-    `what`: the name of the servo; `called`: that of its programme in C, which names of the servo then have as well.
-    """
-    printer = _Printer(stand, program, form, tables)
-    name = f"{stand.name}_servo"
-    example = printer.render("servo_main.c.j2")
-    files = servo_code(stand, program, form, tables) | {
-        f"{VERIFICATION}{name}_main.c": example,
-        f"{VERIFICATION}{name}_test.c": printer.test(golden),
-        f"{name}.md": printer.page(example),
-    }
-    files = rename_files(files, stand.name, called)
-    (manifest,) = rename_files({f"{name}.json": ""}, stand.name, called)
-    return files | {manifest: printer.manifest(files, what)}
-
-
-def servo_program_text(
-    name: str, stand: Stand, program: Program, form: ServoForm, tables: ServoTables, **more: Any
-) -> str:
-    """A program of the template `name` that runs the servos of these tables."""
-    return _Printer(stand, program, form, tables).render(name, **more)
-
-
-class _Printer:
-    """Collects the parts that the templates put in order."""
+class ServoPrinter:
+    """Texts of servos, and of their trim, beside the C of their stand."""
 
     def __init__(self, stand: Stand, program: Program, form: ServoForm, tables: ServoTables) -> None:
         self._stand, self._form, self._tables = stand, form, tables
         self._code = Code(program, identities(stand), word="servo_word")  # the stand's header declares none
+
+    def code(self) -> dict[str, str]:
+        """Header and source by file name: all that firmware needs beside `<stand>.h`."""
+        name = f"{self._stand.name}_servo"
+        return {f"{name}.h": self.header(), f"{name}.c": self.source()}
+
+    def files(self, golden: Golden, what: str, called: str = "programme") -> dict[str, str]:
+        """Text by file name, with an example beside the tables of a programme; the manifest, last, has the hashes.
+
+        `what`: the name of the servo; `called`: that of its programme in C, which names of the servo then have as well.
+        """
+        name, example = f"{self._stand.name}_servo", self.render("servo_main.c.j2")
+        files = self.code() | {
+            f"{VERIFICATION}{name}_main.c": example,
+            f"{VERIFICATION}{name}_test.c": self.test(golden),
+            f"{name}.md": self.page(example),
+        }
+        files = rename_files(files, self._stand.name, called)
+        (manifest,) = rename_files({f"{name}.json": ""}, self._stand.name, called)
+        return files | {manifest: self.manifest(files, what)}
 
     def header(self) -> str:
         """The header: the manual."""

@@ -19,7 +19,7 @@ from mahovik.contract.limits import OF_TABLE
 from mahovik.core.emit.delivered import manifest_there, manifests_beside
 from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.manifest import digest, read_header
-from mahovik.core.emit.programme import Facts, programme_files
+from mahovik.core.emit.programme import Facts, ProgrammePrinter
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.programme import Course, Form, ProgrammeProgram, lower_programme
@@ -137,7 +137,7 @@ def export_programme(
     lines = tuple(line for t, e in measured for line in table_messages(t, e, layout))
     numbers = tuple((t.form.part, t.span, t.value) for t in tables)
     facts = Facts(programme.motion, numbers, tuple(_table_facts(t, e) for t, e in measured), lines, most)
-    files = programme_files(stand, made, player.golden(), facts, called)
+    files = ProgrammePrinter(stand, made, player.golden(), facts).files(called)
     return ProgrammeExport(
         files, (*lines, f"accepted error of the tables: {most:g}"), made, tuple(tables), tuple(deviations)
     )

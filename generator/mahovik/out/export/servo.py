@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.literal import real_literal
-from mahovik.core.emit.servo import ServoTables, servo_files
+from mahovik.core.emit.servo import ServoPrinter, ServoTables
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.servo import ServoForm, TrimForm, lower_servo
 from mahovik.core.lower.servo_golden import golden
@@ -87,7 +87,7 @@ def export_servo(
         values, design, servo.period, ticks, periods, lines, _loop(stand, layout, programme, motion, servo)
     )
     answers = golden(program, form, values, design)
-    files = servo_files(stand, program, form, tables, answers, servo.name, called)
+    files = ServoPrinter(stand, program, form, tables).files(answers, servo.name, called)
     return ExportedServo(files, tabled, lines, program, form, tables, margins)
 
 

@@ -24,7 +24,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.emit.servo import ServoTables, servo_code
+from mahovik.core.emit.servo import ServoPrinter, ServoTables
 from mahovik.core.lower.servo import ServoForm, TrimForm, lower_servo
 from mahovik.core.motion.functions import Angles
 from mahovik.core.motion.programme import Programme
@@ -266,7 +266,7 @@ def _compile_servos(stand: Stand, trim: tuple[tuple[int, ...], int] | None) -> L
     made = generate_all(stand, "double", ("torque",))
     form = ServoForm(made.layout.count, None if trim is None else TrimForm(*trim, held=stand.hold is not None))
     tables = ServoTables(_zeros(form.gains), None if trim is None else _zeros(form.design), 1.0)
-    files = servo_code(stand, lower_servo(made.layout, form), form, tables)
+    files = ServoPrinter(stand, lower_servo(made.layout, form), form, tables).code()
     header = f"{stand.name}.h"
     return Library.of_texts({**files, header: made.files[header]}, f"{stand.name}_servo.c", stand.name)
 
