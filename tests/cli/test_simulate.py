@@ -173,6 +173,7 @@ buoyancy = { displaced_mass = 1e-9 }
         ("modes",),
         ("simulate", "--until", "0.02", "--every", "0.01", "-o", "a.csv", "--backend", "scipy"),
         ("vibration", "--speed", "w=600rpm", "--at", "carrier"),
+        ("report", "-o", "a.html"),
     ],
 )
 def test_what_starts_from_a_turned_rest_pose_says_so(command: tuple[str, ...]) -> None:

@@ -63,7 +63,7 @@ def command(needs: Rules | None = None, excludes: Rules | None = None) -> Callab
             check_arguments(function, args, values, needs or {}, excludes or {})
             with hearing() as warnings:
                 result = function(*args, **values)
-            return replace(result, messages=[*map("warning: {}".format, warnings), *result.messages])
+            return replace(result, messages=[*map("warning: {}".format, dict.fromkeys(warnings)), *result.messages])
 
         return cast("Function", checked)
 

@@ -205,7 +205,10 @@ def _run(function: Callable[..., Any], as_json: bool | None = None, save: str | 
                 click.echo(json.dumps({"error": lines}, indent=1))
             raise
         finally:
-            said = [f"warning: {_with_options(str(warning.message), parameters)}" for warning in caught]
+            said = [
+                f"warning: {_with_options(words, parameters)}"
+                for words in dict.fromkeys(str(x.message) for x in caught)
+            ]
             for line in said:
                 click.echo(line, err=True)
     result = dataclasses.replace(result, messages=[_with_options(line, parameters) for line in result.messages])
