@@ -243,6 +243,20 @@ def test_a_momentum_without_a_name_hinders_no_other() -> None:
     assert not any("nothing is left" in line for line in text)
 
 
+def test_nothing_is_named_beside_an_error_that_is_no_few_terms() -> None:
+    """Nor is it looked for: of each number that a factor may be of, all right equations would be made again."""
+    stand = stand_of("demo3")
+
+    def answers(request: Request) -> Mapping[str, Any]:
+        tau, V = np.array(reference.evaluate(stand, request.state, ("torque",))["tau"]), request.state.V
+        tau[0] += V[3] ** 3
+        tau[1] += 0.5 * V[3] * V[4]
+        return {"tau": tau.tolist()}
+
+    result = search("demo3", "torque").find(answers)
+    assert not result.exact and result.terms == ()
+
+
 def test_a_constant_is_named() -> None:
     def moment(_: Any, right: Any, __: Pieces) -> None:
         right[4] += 0.2

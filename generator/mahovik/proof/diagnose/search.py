@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.linalg import svd
 
 from mahovik.core.stand.model import WRENCH_LETTERS, Quaternion, Stand, State
-from mahovik.core.stand.numbers import StandNumbers, exact
+from mahovik.core.stand.numbers import StandNumber, StandNumbers, exact
 from mahovik.core.stand.random import along_freedoms
 from mahovik.core.stand.stand_file import document_of, read
 from mahovik.errors import CheckError, UsageError
@@ -267,6 +267,8 @@ class TermSearch:
             if want in BESIDES and fits and not all(fit.exact for _, of_part in parts for fit in of_part):
                 besides.append(want)
                 continue
+            if want not in BESIDES and not all(fit.exact for _, of_part in parts for fit in of_part):
+                return TermSearchResult((), 1.0, self.wants, False)
             for of_part, more in parts:
                 unexplained -= {term.want for term in of_part}
                 terms += [x for x in of_part if not (want == "coupled" and any(_is_same(x, y) for y in terms))]
@@ -452,10 +454,7 @@ class TermSearch:
         table = products(of.frame, of.states, of.at, of.side == "momentum")
         laws = laws_at(self._stand, of.states, of.at) if of.side == "wrench" else []
         columns, m = Columns(table.values[fitted], table.accelerate), len(table.names)
-        key = (of.side, *of.frame.components)
-        if key not in self._right:
-            self._right[key] = self._factors(of, self._stand)
-        right = self._right[key]
+        right = self._factors(of)
         terms: list[tuple[float, WrongTerm]] = []
         fits: list[Fit] = []
         for i in wrong:
@@ -477,7 +476,9 @@ class TermSearch:
             if mass and (left <= SAME * np.abs(right[mass, i])).all():
                 fit = Fit({}, 1.0)  # "all of it is missing" is true of every wrong equation, but a program has its mass
             values_of = {k: of_laws[k - m].wrench if k >= m else table.values[:, k] for k in fit.coefficients}
-            if fit.exact and values_of:  # to all digits, by all states
+            if not fit.exact:  # nothing is named then
+                return [], [Fit({}, 1.0)]
+            if values_of:  # to all digits, by all states
                 A = np.column_stack([*values_of.values()]) / of.noise[:, [i]]
                 size = np.linalg.norm(A, axis=0)
                 factors = np.linalg.lstsq(A / size, of.relative[:, i], rcond=None)[0] / size
@@ -503,18 +504,25 @@ class TermSearch:
         fits = [replace(fit, left=of.remainder(explained)) if fit.exact else fit for fit in fits] or [Fit({}, 1.0)]
         return [replace(x, share=size / whole) for size, x in sorted(terms, key=lambda x: -x[0])], fits
 
-    def _factors(self, of: _Equations, stand: Stand) -> Array:
-        """Right factors (m, c) of the products, of what is a sum of them; NaN: not known.
+    def _factors(self, of: _Equations, number: StandNumber | None = None) -> Array:
+        """Right factors (m, c) of the products, of what is a sum of them, with 1.01 times a number; NaN: not known.
 
-        Where there are other wrenches too, these may hold a product that nothing else has.
+        Where there are other wrenches too, these may hold a product that nothing else has. UsageError: no stand has it.
         """
+        key = (number.path if number else "", of.side, *of.frame.components)
+        if key in self._right:
+            return self._right[key]
+        stand = self._stand
+        if number:
+            stand = read(self._file.with_values({number: 1.01 * number.value}), stand.name, physics=False)
         at = self._pieces_of(self._drawn, stand)
         table = products(of.frame, self._drawn, at, of.side == "momentum")
         right = np.array([RIGHT[of.side](p, s) for p, s in zip(at, self._drawn, strict=True)])
         not_products = np.array([_other_wrenches(p) for p in at]) if of.side == "wrench" else np.zeros_like(right)
         factors = least_squares(table.values, (right - not_products) @ of.frame.rows)
         beside = (not_products @ of.frame.rows).any(axis=0)
-        return np.where(beside & ~_is_there(factors), math.nan, factors)
+        self._right[key] = np.where(beside & ~_is_there(factors), math.nan, factors)
+        return self._right[key]
 
     def _part(self, of: _Equations, k: int, component: int, expected: float, error: float) -> tuple[float, float, str]:
         """A factor, the right one, and the path of the number of the stand file that this is proportional to.
@@ -530,10 +538,9 @@ class TermSearch:
             if not alike or number.body == "gravity":  # which the name of the product has
                 continue
             try:
-                changed = read(file.with_values({number: 1.01 * number.value}), self._stand.name, physics=False)
+                part = (float(self._factors(of, number)[k, component]) - expected) / 0.01
             except UsageError:
                 continue
-            part = (float(self._factors(of, changed)[k, component]) - expected) / 0.01
             if abs(part - expected) <= SAME * abs(expected):
                 return expected + error, expected, number.path
             if any(abs(error - (likely - 1.0) * part) <= SAME * abs(error) for likely in LIKELY):
