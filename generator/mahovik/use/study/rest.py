@@ -323,21 +323,19 @@ class _Search:
 
     def reason(self, at: Pieces) -> str:
         """Message: why there is no equilibrium."""
-        V_dot = self.acceleration(at)
         total = at.F - at.bias
         force, moment = at.C @ total[:3], total[3:]
         size, turning = float(np.linalg.norm(force)), float(np.linalg.norm(moment))
-        acceleration = ", ".join(f"{x:.4g}" for x in V_dot)
         if self.stand.hold is not None:
             along = twists(self.stand.hold).T @ total
             names, worst = freedom_words(self.stand.hold), int(np.argmax(np.abs(along)))
             what = f"nothing carries {along[worst]:.6g} (N or N m) along the freedom {names[worst]}"
-            return f"{self.stand.name}: no rest pose: {what}; V_dot there is ({acceleration})"
-        if size > 0.0 and np.abs(V_dot[:3]).max() > AT_REST:
+            return f"{self.stand.name}: no rest pose: {what}"
+        if size > 0.0 and np.abs(self.acceleration(at)[:3]).max() > AT_REST:
             what = f"nothing carries a force of {size:.6g} N along ({_direction(force)}) in E0"
         else:
             what = f"nothing carries a moment of {turning:.6g} N m about ({_direction(moment)}) in E1"
-        return f"{self.stand.name}: no rest pose: {what}; V_dot there is ({acceleration})"
+        return f"{self.stand.name}: no rest pose: {what}"
 
 
 def with_least_turn(state: State) -> State:
