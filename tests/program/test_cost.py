@@ -1,16 +1,20 @@
 """Operation counts."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
+from docs.pages import ROOT
 from emit.stands import generated
+from mahovik.core.emit.generate import generate_all
 from mahovik.core.program.build import Body
 from mahovik.core.program.cost import Cost, cost
 from mahovik.core.program.expression import BitCast, Place, real, select
 from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind
+from mahovik.core.stand.stand_file import load
 from program.small import argument, function, value_of
 
 R, I = Kind.REAL, Kind.INT
@@ -57,3 +61,12 @@ def test_each_further_flywheel_costs_forward_the_same() -> None:
     assert (many.total - one.total) * 5 >= 59 * sum(loop.total for loop in loops)
     assert (many.total - one.total) % 59 == 0
     assert many.divisions == one.divisions
+
+
+@pytest.mark.parametrize(
+    ("name", "part"), [("pendulum", 0.5), ("linear_shaker", 0.5), ("cube", 0.8), ("air_table", 0.8)]
+)
+def test_of_a_held_carrier_only_what_its_freedoms_need_is_computed(name: str, part: float) -> None:
+    held = load(ROOT / f"docs/held/{name}.toml")
+    along, free = (operations(generate_all(of).program, "forward").total for of in (held, replace(held, hold=None)))
+    assert along <= part * free

@@ -114,11 +114,11 @@ def sum_up(lib: Library, table: Any, x: Any, seen: Any, phi_ddot: Any, mass_alon
 
 
 @inline
-def external_wrench(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, F: Any) -> None:
+def external_wrench(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, F: Any, name: str = "external") -> None:
     """F of (7), or zero where the stand has none."""
     if lib.layout.wrenches:
         turns = seen.turns or (None, None)
-        lib["external"](table, x, *turns, seen.sums, seen.C, seen.V_r, seen.g, wrench, F, seen.own)
+        lib[name](table, x, *turns, seen.sums, seen.C, seen.V_r, seen.g, wrench, F, seen.own)
     else:
         F[:] = [0] * 6
 
@@ -169,7 +169,8 @@ def equations_along(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, ph
             lib["sum_steady_along"](table, *seen.turns, x.phi_dot, None, seen.sums, along)
         else:
             lib["sum_along"](table, *seen.turns, x.phi_dot, phi_ddot, seen.sums, along)
-        external_wrench(lib, table, x, seen, wrench, F)
+        name = "external_along" if "external_along" in lib else "external"
+        external_wrench(lib, table, x, seen, wrench, F, name)
         lib["right_side"](table, along, x.V, F, y)
         return along.P, None
     F = reals(6)  # wrench (7); then what is to be projected

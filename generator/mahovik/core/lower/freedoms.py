@@ -23,6 +23,11 @@ def columns(ways: Sequence[str], table: Any) -> list[Vector]:
     return [Vector(_column(way, table.S[:, k])) for k, way in enumerate(ways)]
 
 
+def rows_of(ways: Sequence[str]) -> tuple[int, ...]:
+    """Components of a wrench that S^T takes from it, for any numbers of a stand."""
+    return tuple(i for i in range(6) if any(_column(way, [2] * 6)[i] for way in ways))
+
+
 def _column(way: str, whole: Sequence[Any]) -> Sequence[Any]:
     if way not in FREEDOMS:
         return [*whole[:3], 0, 0, 0] if way == "slide" else whole

@@ -14,13 +14,13 @@ from collections.abc import Sequence
 from operator import mul
 from typing import Any
 
-from mahovik.core.lower.flywheels import weights
 from mahovik.core.lower.freedoms import (
     columns,
     element,
     harmonics,
     momenta_needed,
     place_of,
+    rows_of,
     slides,
     speeds,
     turning_force,
@@ -214,6 +214,7 @@ def sum_along(lib: Library, steady: bool) -> Any:
     """Sums over all bodies, projected to the freedoms; `steady`: at constant speeds."""
     layout, N = lib.layout, lib.layout.count
     momenta = momenta_needed(layout.ways)
+    moment = layout.weight and max(rows_of(layout.ways)) >= 3  # of the weight
     # of three freedoms compilers do not keep all sums in registers over one loop
     parts = ("P", "g") if layout.freedoms > 2 else ("Pg",)
     purpose = "Mass matrix of all bodies along the freedoms, and the flywheels' terms; w = phi_dot"
@@ -230,7 +231,7 @@ def sum_along(lib: Library, steady: bool) -> Any:
         sum_: Any = result(struct=layout.along_sums),
     ) -> None:
         """Mass matrix of all bodies along the freedoms, and the flywheels' terms."""
-        if layout.weight:
+        if moment:
             whole.mu[:] = table.first_moment
         sum_.P[:] = table.P_0
         for name in ("P_dot", "g", *(("h",) if momenta else ())):
@@ -242,24 +243,30 @@ def sum_along(lib: Library, steady: bool) -> Any:
                 c = cosine[k]
                 w = phi_dot[k]
                 a = None if steady else phi_ddot[k]
-                c2, s2, dc, ds, dc2, ds2, ddc, dds = weights(s, c, w, a)
                 if "P" in part:
+                    twice_s = 2 * s
+                    c2 = 1 - twice_s * s  # cos 2 phi, then sin 2 phi
+                    s2 = twice_s * c
+                    twice_w = 2 * w
+                    c2_dot, s2_dot, c_dot, s_dot = -twice_w * s2, twice_w * c2, -w * s, w * c
                     # mass matrix along the freedoms and its rate
-                    factors = {"2c": (c2, dc2), "2s": (s2, ds2), "c": (c, dc), "s": (s, ds)}
+                    factors = {"2c": (c2, c2_dot), "2s": (s2, s2_dot), "c": (c, c_dot), "s": (s, s_dot)}
                     for i, names in enumerate(harmonics(layout.ways)):
                         if names:
                             of_row = [row.member(f"P_{name}")[i] for name in names]
                             sum_.P[i] += dot(of_row, [factors[name][0] for name in names])
                             sum_.P_dot[i] += dot(of_row, [factors[name][1] for name in names])
                 if "g" in part:
-                    if layout.weight:
+                    if moment:
                         # first moment
                         whole.mu += row.mu_c * c + row.mu_s * s
-                    body().note(("I phi_dot and its rate" if momenta else "rate of I phi_dot") + " along the freedoms")
                     I_0 = Vector([0 if slides(way) else row.I_0[i] for i, way in enumerate(layout.ways)])
+                    turning: Reals = row.I_c * c + row.I_s * s + I_0  # I along the freedoms
+                    body().note(("I phi_dot and its rate" if momenta else "rate of I phi_dot") + " along the freedoms")
                     if momenta:
-                        sum_.h += row.I_c * ds + w * I_0 - row.I_s * dc
-                    sum_.g += row.I_c * dds + (0 if a is None else a) * I_0 - row.I_s * ddc
+                        sum_.h += w * turning
+                    ww = w * w
+                    sum_.g += (0 if a is None else a) * turning + ww * (row.I_s * c - row.I_c * s)
 
     return sum_along
 

@@ -96,8 +96,11 @@ class CarrierProgram(LawProgram):
     def values(self, stand: Stand, run: Run) -> dict[str, Any]:
         """The numbers of its members, by name; `run` runs a function of the program."""
 
-    def act(self, lib: FunctionSet, table: Any, x: Any, C: Place, F: Place, **more: Place) -> None:
-        """Adds its wrench, in E1 about O1, to F, in the text of a kernel. `x`: the state; `C`: the attitude (9)."""
+    def act(self, lib: FunctionSet, table: Any, x: Any, C: Place, F: Place, along: bool = False, **more: Place) -> None:
+        """Adds its wrench, in E1 about O1, to F, in the text of a kernel. `x`: the state; `C`: the attitude (9).
+
+        `along`: no component that S^T does not take is needed.
+        """
         for struct, count, name in self.arrays(lib.layout.structure):
             with body().loop("k", count) as k:
                 row = table.member(struct.name)[k]

@@ -29,6 +29,7 @@ from mahovik.core.lower import (
     task_torque,
     wrenches,
 )
+from mahovik.core.lower.freedoms import rows_of
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.program.function import Function, Program
@@ -207,3 +208,6 @@ def _add_wrenches(lib: Library) -> None:
     wrenches.add_laws(lib)
     wrenches.add_check_actuators(lib)
     wrenches.add_external(lib)
+    rows = rows_of(lib.layout.ways)
+    if lib.layout.along and len(rows) < 6 and (lib.layout.weight or "suspend" in lib):
+        wrenches.add_external(lib, rows)

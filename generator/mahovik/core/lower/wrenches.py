@@ -27,20 +27,22 @@ def add_laws(lib: Library) -> None:
         law.add_functions(lib)
 
 
-def add_external(lib: Library) -> None:
-    """Adds F of (7) from checked inputs, and the wrench of one body that has such in its own frame."""
-    layout = lib.layout
+def add_external(lib: Library, rows: tuple[int, ...] = tuple(range(6))) -> None:
+    """Adds F of (7) from checked inputs; `rows`: `external_along`, as far as these components of it need."""
+    layout, along = lib.layout, len(rows) < 6
     laws, checked = layout.law_tables, "check_actuators" in lib
     refuses = any(law.refuses for law in laws)
     own_wrenches_of_all: Any = result(
         "wrenches of the flywheels of their own, six numbers each, in Es about Os", 6 * int(layout.count), unit="N, N m"
     )
     kinds = [*layout.body_laws, *(law.words for law in laws), *(["run-time wrenches"] if layout.inputs else [])]
+    purpose = f"Total external wrench of {', '.join(kinds) or 'no kind at all'}, from checked inputs"
 
     @lib.kernel(
+        "external_along" if along else "external",
         equation="(7)",
         statuses=("OK", "NOT_FINITE", "RANGE") if checked else ("OK", "RANGE") if refuses else (),
-        purpose=f"Total external wrench of {', '.join(kinds) or 'no kind at all'}, from checked inputs.",
+        purpose=f"{purpose}; right are F[i], i = {', '.join(map(str, rows))}, alone." if along else f"{purpose}.",
     )
     def external(
         table: Any = lib.table,
@@ -58,9 +60,10 @@ def add_external(lib: Library) -> None:
         """Total external wrench."""
         if checked:
             lib["check_actuators"](table)
-        F[:] = [0] * 6
+        if not (layout.held and layout.weight):
+            F[:] = [0] * 6
         if layout.weight:
-            weigh(lib, table, (sine, cosine), sum_, g, F)
+            weigh(lib, table, (sine, cosine), sum_, g, F, rows)
         if layout.carrier_damped:
             damp(lib, table, table.damper, V, F)
         if 0 in layout.structure.wrench_inputs:
@@ -68,7 +71,7 @@ def add_external(lib: Library) -> None:
         if layout.local_bodies:
             local_wrenches(lib, table, x, (sine, cosine), V, wrench, F, own)
         for law in laws:
-            law.act(lib, table, x, C, F)
+            law.act(lib, table, x, C, F, along=along)
 
 
 @inline
@@ -97,8 +100,8 @@ def flywheel_wrenches(lib: Library, table: Any, x: Any, seen: Any, wrench: Any) 
 
 
 @inline
-def weigh(lib: Library, table: Any, turns: Any, sums: Any, g: Reals, F: Reals) -> None:
-    """Weight of every body at its mass centre, less the Archimedes force."""
+def weigh(lib: Library, table: Any, turns: Any, sums: Any, g: Reals, F: Reals, rows: Any) -> None:
+    """Weight of every body at its mass centre, less the Archimedes force; of a held carrier F begins with it."""
     layout = lib.layout
     numbers = {"g": g, "mu": sums.mu, "m": table.mass}
     if layout.displaces:
@@ -110,7 +113,10 @@ def weigh(lib: Library, table: Any, turns: Any, sums: Any, g: Reals, F: Reals) -
             displaced += row.displaced_c * turns[1][s] + row.displaced_s * turns[0][s]
         numbers = numbers | {"displaced_moment": displaced}
     # weight of all bodies: its line of action moves with the flywheels
-    F += formula(derived.weight(layout.displaces), **numbers)
+    if layout.held:
+        F[:] = [x if i in rows else 0 for i, x in enumerate(formula(derived.weight(layout.displaces), **numbers))]
+    else:
+        F += formula(derived.weight(layout.displaces), **numbers)
 
 
 def damp(lib: Library, table: Any, damper: Any, V: Any, P: Any) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from mahovik.core.lower import units
+from mahovik.core.lower.freedoms import rows_of
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, Run, declared
 from mahovik.core.lower.units import Member, matrix, vector
@@ -78,9 +79,15 @@ class SuspensionProgram(CarrierProgram):
             ratio = ratio / divisor
             r[:] = side * ratio * u
 
+        self._add_suspend(lib, "suspend")
+        if hold := lib.layout.structure.hold:
+            self._add_suspend(lib, "suspend_along", rows_of(hold))
+
+    def _add_suspend(self, lib: FunctionSet, name: str, rows: Sequence[int] = ()) -> None:
+        """The wrench; `rows`: these components of it alone, which the freedoms of the hold take."""
         words = "-(stiffness x + damping V), x: C^T (O1 - position), rotation vector of C_eq^T C"
 
-        @lib.kernel(equation="(7)", purpose=f"Adds the suspension: {words}.")
+        @lib.kernel(name, equation="(7)", purpose=f"Adds the suspension: {words}.")
         def suspend(
             law: Record = argument(struct=SUSPENSION), x: Record = lib.x, C: Reals = ATTITUDE, F: Reals = WRENCH
         ) -> None:
@@ -98,12 +105,19 @@ class SuspensionProgram(CarrierProgram):
             turn[2] = q[2] * p[0] + q[3] * p[1] - q[0] * p[2] - q[1] * p[3]
             turn[3] = q[1] * p[2] + q[3] * p[0] - q[0] * p[3] - q[2] * p[1]
             lib["rotation_vector"](turn, angle)
-            for i in range(6):
-                F[i] -= dot([*x.V, *law.stiffness[i]], [*law.damping[i], *shift1, *angle])
+            if rows:
+                for i in rows:
+                    F[i] -= dot([*x.V, *law.stiffness[i]], [*law.damping[i], *shift1, *angle])
+            else:
+                for i in range(6):
+                    F[i] -= dot([*x.V, *law.stiffness[i]], [*law.damping[i], *shift1, *angle])
 
-    def act(self, lib: FunctionSet, table: Record, x: Record, C: Place, F: Place, **more: Place) -> None:
+    def act(
+        self, lib: FunctionSet, table: Record, x: Record, C: Place, F: Place, along: bool = False, **more: Place
+    ) -> None:
         """Adds the wrench."""
-        body().do(lib["suspend"](table.suspension, x, C, F))
+        name = "suspend_along" if along else "suspend"
+        body().do(lib[name](table.suspension, x, C, F))
 
 
 LAW = SuspensionProgram()

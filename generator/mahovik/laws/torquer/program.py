@@ -69,7 +69,9 @@ class TorquersProgram(CarrierProgram):
                 dipole[:] = table.sensor[torquer.mount].axes @ torquer.dipole
             F[3:6] += cross(dipole, field)
 
-    def act(self, lib: FunctionSet, table: Record, x: Record, C: Place, F: Place, **more: Place) -> None:
+    def act(
+        self, lib: FunctionSet, table: Record, x: Record, C: Place, F: Place, along: bool = False, **more: Place
+    ) -> None:
         """Adds the moment of every torquer."""
         field = body().local("field", (3,), comment="magnetic field in E1")
         body().do(lib["rotate_back"](C, table.magnetic_field, field))
