@@ -154,6 +154,8 @@ class Rig:
                 arm = arm - 2 * np.cross(w, (J + k.mass * (r @ r * np.eye(3) - np.outer(r, r))) @ spin)
             if fault == "spin and drag" and s >= 0:
                 arm = arm + DRAG * speed[s] ** 3 * e
+            if fault == "armature in all" and s >= 0:
+                arm = arm + ARMATURE * rates[s] * e
             arm = arm - (0 if fault == "weight" and s >= 0 else np.cross(r, k.mass * g))
             total += np.concatenate([force, np.cross(k.place, force) + arm])
             if s >= 0:
@@ -171,6 +173,8 @@ class Rig:
         turned = rotation_vector(E_eq.T @ R)
         if fault == "sine":
             turned = turned * np.sinc(np.linalg.norm(turned) / np.pi)
+        if fault == "turned in E0":
+            turned = E_eq @ turned
         x = np.concatenate([displaced if fault == "displacement" else R.T @ displaced, turned])
         stiffness, damping = (np.array(table[key], dtype=float) for key in ("stiffness", "damping"))
         damping = np.diag(damping) if damping.ndim == 1 else damping
@@ -185,7 +189,8 @@ class Rig:
         wrench += np.concatenate([up, np.cross(file["carrier"]["buoyancy"]["center"], up)])
         added = np.array(file["carrier"]["added_mass"]) * (-1 if fault == "added mass" else 1)
         p, h = np.split(added @ V, 2)
-        wrench -= added @ V_dot + np.concatenate([np.cross(V[3:], p), np.cross(V[3:], h) + np.cross(V[:3], p)])
+        along = -1 if fault == "munk" else 1
+        wrench -= added @ V_dot + along * np.concatenate([np.cross(V[3:], p), np.cross(V[3:], h) + np.cross(V[:3], p)])
         applied = np.array(state.get("wrench", {}).get("carrier", np.zeros(6)))
         if fault == "no wrench":
             applied = 0 * applied

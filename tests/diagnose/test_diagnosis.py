@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, rest_state
 from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.laws.buoyancy.law import Buoyancy
 from mahovik.proof.diagnose.answers import Precision, Reference
 from mahovik.proof.diagnose.causes import READINGS, Reading, readings_of
 from mahovik.proof.diagnose.columns import snapped
@@ -77,6 +78,14 @@ def test_a_wrong_reading_is_named(reading: Reading) -> None:
     if diagnosis.verdict == "named":
         (cause,) = diagnosis.causes
         assert reading.name in (cause.name, *cause.like)
+
+
+def test_buoyancy_of_flywheels_keeps_its_direction_as_that_of_others_does() -> None:
+    """At attitude zero nothing is to be turned into the axes of E1."""
+    flywheels = tuple(k.with_laws(Buoyancy(0.1, (0.001, 0.002, 0.0))) for k in stand().flywheels)
+    floating, state = replace(stand(), flywheels=flywheels), replace(rest_state(stand()), phi=(0.5, -1.0))
+    reading = BY_NAME["buoyancy that does not turn into the axes of E1"].model(floating)
+    np.testing.assert_allclose(reading(state, "forward")["V_dot"], Reference(floating)(state, "forward")["V_dot"])
 
 
 def test_the_flywheel_that_has_it_is_named() -> None:
@@ -167,7 +176,7 @@ def test_a_fault_of_one_function_alone_says_so() -> None:
 def test_a_diagnosis_as_data() -> None:
     data = as_object(planted(BY_NAME["quaternion conjugated"]))
     assert (data["verdict"], data["unexplained"]) == ("named", 0.0)
-    assert data["found"][0] == {"fault": "quaternion conjugated", "share": 1.0}
+    assert data["found"][0] == {"fault": "quaternion conjugated"}
     assert data["precision"] == {"name": "double", "accepted": 1e-11}
     assert as_object(Diagnosis("none"))["found"] == []
 

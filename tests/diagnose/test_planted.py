@@ -54,6 +54,8 @@ FAULTS: dict[str, Any] = {
     "inertia of arm": "inertia about the centre of mass not turned into the axes of E1 (arm alone)",
     "damping": "damping matrix taken in the axes of E0",
     "sine": "the sine of the angle for the rotation vector of the suspension",
+    "turned in E0": "components in the axes of E0 for the rotation vector of the suspension",
+    "munk": ("carrier", "Phi Lambda V_r", -1.0, 1.0),
     "order": "phase and speed in the reverse order of flywheels",
     "gyroscopic": ("flywheels", "Omega x J Omega", -1.0, 1.0),
     "spin": ("flywheels", "phi_dot omega x J_O e", -1.0, 1.0),
@@ -156,6 +158,18 @@ def test_a_fault_in_the_code_is_named(fault: str) -> None:
         assert part.factor == pytest.approx(factor, abs=1e-6) and part.expected == wanted
 
 
+def test_an_armature_that_is_in_all_equations_is_an_inertia_of_each_rotor() -> None:
+    terms = diagnosis_of(Rig(tomllib.loads(TEXT), "armature in all")).terms
+    assert terms is not None and terms.whole
+    assert {(x.component, x.term) for x in terms.terms} == {("w1", "J11 e phi_ddot"), ("w2", "J11 e phi_ddot")}
+
+
+def test_of_a_body_and_its_added_mass_the_body_comes_first() -> None:
+    diagnosis = diagnosis_of(Rig(with_number("carrier.inertia.J33", 0.051)))
+    assert diagnosis.causes[0].name == "carrier.inertia.J33"
+    assert "  or, of the same effect on this stand: carrier.added_mass[5][5]" in sentences(diagnosis)
+
+
 def test_what_a_term_leaves_at_large_speeds_is_said() -> None:
     diagnosis = diagnosis_of(Rig(tomllib.loads(TEXT), "spin and drag"))
     words = " ".join(sentences(diagnosis))
@@ -211,6 +225,4 @@ def test_the_command_names_a_number(tmp_path: Path) -> None:
     assert suite.get("name") == "mahovik judge rig"
     assert all((case.text or "").startswith("carrier.mass: 2.01 kg explains") for case in suite.iter("failure"))
     diagnosis = result["diagnosis"]
-    assert diagnosis["found"] == [
-        {"number": "carrier.mass", "value": 2.01, "expected": 2.0, "unit": "kg", "share": 1.0}
-    ]
+    assert diagnosis["found"] == [{"number": "carrier.mass", "value": 2.01, "expected": 2.0, "unit": "kg"}]

@@ -216,6 +216,30 @@ def test_terms_of_torques() -> None:
     assert {(x.want, x.component, x.term) for x in result.terms} == {("torque", "w2", "p q")}
 
 
+def test_laws_whose_columns_are_one_are_named_together_with_their_sum() -> None:
+    """Else a suspension without damping reads as wrong damping of the carrier, of the wrong sign where it has half."""
+    stand = loads("""schema = 1
+name = "raft"
+gravity = [0, 0, -9.81]
+carrier = { mass = 2, inertia = [0.1, 0.2, 0.3], damping = { linear = [1, 1, 1, 0.1, 0.3, 0.3] } }
+suspension = { stiffness = [9, 9, 9, 1, 1, 1], damping = [1, 1, 1, 0.5, 0.6, 0.77] }
+""")
+
+    def undamped(_: Any, right: Any, at: Pieces) -> None:
+        right[4:] += (0.6, 0.77) * at.V[4:]
+
+    result = TermSearch(stand, wants=("forward",)).find(lambda request: answer_with(stand, undamped, request))
+    told = {(x.component, x.term, approx(x.factor), approx(x.expected or 0.0), x.coefficient) for x in result.terms}
+    names = [f"carrier.damping.linear[{i}][{i}] or suspension.damping[{i}][{i}]" for i in (4, 5)]
+    assert told == {("M", "q", -0.3, -0.9, names[0]), ("N", "r", -0.3, -1.07, names[1])}
+
+
+def test_more_terms_than_are_of_use_are_not_looked_for() -> None:
+    hull = TermSearch(stand_of("hull"), wants=("forward",), most=1)
+    result = hull.find(lambda request: answer_with(stand_of("hull"), wrong_drag_and_weight, request))
+    assert not result.exact and result.terms == ()
+
+
 def test_a_program_without_answers_is_refused() -> None:
     with pytest.raises(CheckError, match=r"forward: 0 of \d+ states have an answer; expected at least \d+"):
         search("demo3", "forward").find(lambda _: {"V_dot": [float("nan")] * 6})

@@ -124,7 +124,7 @@ class Reading:
         stand, s = at.stand, at.s
         keys = self.keys.split() if self.place != "answer" else []
         if self.place == "all":
-            stand, s = self.change(None, at)
+            stand, s = self.change(names, at)
         elif self.place == "wrench":
             bodies = {body.name: body for body in stand.bodies}
             P = {
@@ -208,21 +208,18 @@ def transport(at: At, v: Sequence[float]) -> Array:
     return np.concatenate([np.cross(at.s.V[3:], v), np.zeros(3)])
 
 
-def without_buoyancy(body: Any) -> Any:
-    """A body without buoyancy."""
-    laws = (replace(law, displaced_mass=0.0) if hasattr(law, "displaced_mass") else law for law in body.laws)
-    return replace(body, laws=tuple(laws))
-
-
-def buoyancy_in_body_axes(_: None, at: At) -> tuple[Stand, State]:
-    """Buoyancy as wrenches that keep the direction that they have where the attitude is zero."""
+def unturned_buoyancy(names: Collection[str], at: At, axes: Callable[[At], Array]) -> tuple[Stand, State]:
+    """Buoyancy of some bodies as wrenches with the force of attitude zero, in some axes (3x3, columns) of the body."""
     wrenches = dict[str, Array]()
-    for body in (at.stand.carrier, *at.stand.instruments):
-        laws: list[Any] = [law for law in body.laws if hasattr(law, "displaced_mass")]
+
+    def sunk(body: Any) -> Any:
+        laws = [law for law in body.laws if hasattr(law, "displaced_mass") and body.name in names]
         for law in laws:
-            force = -law.displaced_mass * np.array([*at.stand.gravity, 0.0, 0.0, 0.0])
-            wrenches[body.name] = moment_of(force, law.center)
-    return with_bodies(at.stand, without_buoyancy), with_wrenches(at, wrenches)[1]
+            force = -law.displaced_mass * axes(replace(at, body=body)).T @ np.array(at.stand.gravity)
+            wrenches[body.name] = moment_of(np.concatenate([force, np.zeros(3)]), law.center)
+        return replace(body, laws=tuple(replace(law, displaced_mass=0.0) if law in laws else law for law in body.laws))
+
+    return with_bodies(at.stand, sunk), with_wrenches(at, wrenches)[1]
 
 
 def turned_by_phase(at: At) -> Array:
@@ -256,11 +253,13 @@ def with_wrenches(at: At, more: Mapping[str, Array]) -> tuple[Stand, State]:
     return at.stand, replace(at.s, wrench=MappingProxyType({**at.s.wrench, **P}))
 
 
-def damped_in_still_water(_: None, at: At) -> tuple[Stand, State]:
-    """Wrenches of the laws of bodies at V in place of V_r."""
+def damped_in_still_water(names: Collection[str], at: At) -> tuple[Stand, State]:
+    """Wrenches of the laws of some bodies at V in place of V_r."""
     still = pieces(replace(at.stand, stream=None, profile=None), at.s).terms
     there, zero = pieces(at.stand, at.s).terms, np.zeros(6)
-    more = {k: sum((x - there[k].get(kind, zero) for kind, x in P.items()), zero) for k, P in still.items()}
+    more = {
+        k: sum((x - there[k].get(kind, zero) for kind, x in P.items()), zero) for k, P in still.items() if k in names
+    }
     return with_wrenches(at, more)
 
 
@@ -270,14 +269,21 @@ def scaled(x: Array, function: Callable[[float], float]) -> Array:
     return x * (function(half) / half if half else 1.0)
 
 
-def with_rotation(at: At, change: Callable[[Array], Array]) -> tuple[Stand, State]:
-    """A suspension with other numbers (3) in place of the rotation vector of a rotation (3x3)."""
-    wrench = np.zeros(6)
+def with_suspended(at: At, more: Callable[[Any], Array]) -> tuple[Stand, State]:
+    """More wrenches (6) on the carrier, of its suspension."""
     laws: list[Any] = [law for law in at.stand.laws if law.key == "suspension"]
-    for law in laws:
-        C = attitude(at.stand.angles, *law.angles).T @ at.C
-        wrench -= np.array(law.stiffness)[:, 3:] @ (change(C) - rotation_vector(C))
-    return with_wrenches(at, {at.stand.carrier.name: wrench})
+    return with_wrenches(at, {at.stand.carrier.name: sum(map(more, laws), np.zeros(6))})
+
+
+def with_rotation(at: At, change: Callable[[Array, Array], Array]) -> tuple[Stand, State]:
+    """A suspension with other numbers (3) in place of the rotation vector of a rotation (3x3) from equilibrium."""
+
+    def more(law: Any) -> Array:
+        C_eq = attitude(at.stand.angles, *law.angles)
+        C = C_eq.T @ at.C
+        return np.asarray(np.array(law.stiffness)[:, 3:] @ (rotation_vector(C) - change(C, C_eq)))
+
+    return with_suspended(at, more)
 
 
 def without_sense(M: Array, at: At) -> Array:
@@ -407,14 +413,16 @@ OF_SUSPENSION = dict([DEGREES, IGNORED, ("taken from E1 to E0", lambda a, at: (
     angles_of(at.stand, at.s, attitude(at.stand.angles, *a).T)))])  # fmt: skip
 OF_INSTRUMENTS = ANGLES | {"taken from E1 to the instrument": lambda a, at: (
     angles_of(replace(at.stand, angles="ship"), at.s, attitude("ship", *a).T))}  # fmt: skip
-OF_ROTATION: Mapping[str, Callable[[Array], Array]] = {
-    "the sine of the angle": lambda C: scaled(rotation_vector(C), lambda x: math.sin(2.0 * x) / 2.0),
-    "twice the vector part of a quaternion": lambda C: scaled(rotation_vector(C), math.sin),
-    "twice the tangent of half the angle": lambda C: scaled(rotation_vector(C), math.tan),
-    "angles of the sequence 3, 2, 1": lambda C: np.array(
+OF_ROTATION: Mapping[str, Callable[[Array, Array], Array]] = {
+    "the sine of the angle": lambda C, _: scaled(rotation_vector(C), lambda x: math.sin(2.0 * x) / 2.0),
+    "twice the vector part of a quaternion": lambda C, _: scaled(rotation_vector(C), math.sin),
+    "the vector part of a quaternion": lambda C, _: scaled(rotation_vector(C), lambda x: math.sin(x) / 2.0),
+    "twice the tangent of half the angle": lambda C, _: scaled(rotation_vector(C), math.tan),
+    "angles of the sequence 3, 2, 1": lambda C, _: np.array(
         [math.atan2(C[2, 1], C[2, 2]), -math.asin(min(1.0, max(-1.0, C[2, 0]))), math.atan2(C[1, 0], C[0, 0])]),
+    "components in the axes of E0": lambda C, C_eq: np.array(C_eq @ rotation_vector(C)),
 }  # fmt: skip
-"""What is taken for a rotation vector, by its words: of a rotation (3x3)."""
+"""What is taken for a rotation vector, by its words: of a rotation (3x3) from that of equilibrium."""
 TURNED: Mapping[str, tuple[str, Callable[[At], Array]]] = {
     "not turned into the axes of E1": ("", lambda at: body_axes(at).T),
     "turned into the axes of E1 the other way, by C^T for C": ("", lambda at: body_axes(at).T @ body_axes(at).T),
@@ -511,8 +519,12 @@ READINGS: tuple[Reading, ...] = (
               lambda _, at, change=change: with_rotation(at, change))  # type: ignore[misc]
       for words, change in OF_ROTATION.items()),
     Reading("damping and other wrenches of the fluid relative to E0, not to the stream", "all", "",
-            damped_in_still_water),
-    Reading("buoyancy that does not turn into the axes of the body", "all", "", buoyancy_in_body_axes),
+            damped_in_still_water, "bodies"),
+    Reading("damping of the suspension relative to the stream, not to E0", "all", "", lambda _, at: with_suspended(
+        at, lambda law: np.array(law.damping)[:, :3] @ pieces(at.stand, at.s).u)),
+    *(Reading(f"buoyancy that does not turn into the axes of {name}", "all", "",
+              lambda names, at, axes=axes: unturned_buoyancy(names, at, axes), "bodies")  # type: ignore[misc]
+      for name, axes in (("the body", lambda at: E), ("E1", body_axes))),
     *(Reading(f"products of inertia{words} of the opposite sign", "body", "inertia",
               lambda J, at: J * (2.0 * E - 1.0), bodies) for words, bodies in PARTS.items()),
     Reading("inertia taken about the origin though it is about the centre of mass", "body", "",

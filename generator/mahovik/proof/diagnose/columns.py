@@ -327,6 +327,7 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
             }
         wrenches |= {
             DRIVE: f * k.Theta[3, 3] * phi_ddot,  # before its twins in a torque, which would be wrong elsewhere as well
+            "J11 e phi_ddot": f * k.Theta[3, 3] * phi_ddot,
             "Phi Ls Theta_s f phi_dot": Phi(V) @ turn * speed,
             "Ls <e> Theta_s f phi_dot^2": spin @ turn * speed**2,
             "Ls <e> Theta_s Ls^T phi_dot V": spin @ k.Theta @ V * speed,
@@ -344,6 +345,7 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
         p, h = np.split(k.Lambda @ at.V_r, 2)
         wrenches |= {
             "Lambda V_r_dot": to_body @ k.Lambda @ at.V_r_dot(V_dot),
+            "Phi Lambda V_r": to_body @ Phi(at.V_r) @ k.Lambda @ at.V_r,
             "omega x p of Lambda V_r": to_body @ np.concatenate([np.cross(at.V_r[3:], p), zero]),
             "v x p of Lambda V_r": to_body @ np.concatenate([zero, np.cross(at.V_r[:3], p)]),
             "omega x h of Lambda V_r": to_body @ np.concatenate([zero, np.cross(at.V_r[3:], h)]),
@@ -377,13 +379,13 @@ _Change = Callable[[Any, float], Any]
 """A law with another value of one of its numbers."""
 
 
-class _Law:
+class Law:
     """A law at n states: transfer L (6x6) of the wrenches of its body, coarse parts if it has any, coefficients."""
 
     def __init__(
         self, laws: Sequence[Any], path: str, wrench: Callable[[int, Any], Array], L: Array, coarse: Iterable[LawTerm]
     ) -> None:
-        self.L, self.coarse = L, list(coarse)
+        self.L, self.coarse, self.path = L, list(coarse), path
         self._of = laws, path, wrench
 
     @cached_property
@@ -396,9 +398,9 @@ class _Law:
         return [term for term in self.coarse if term.detail == detail] or self.coefficients
 
 
-def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list[_Law]:
+def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list[Law]:
     """All laws of a stand at n states: those between E0 and the carrier, then those of each body."""
-    laws, of_carrier = list[_Law](), cast(tuple[Any, ...], stand.laws)
+    laws, of_carrier = list[Law](), cast(tuple[Any, ...], stand.laws)
     poses = [Pose(axial(p.L1[3:, :3] @ p.C.T), p.C, p.V) for p in at]
     between, none = parts("reference", CarrierReference), np.zeros(6)
     coarse = {part.law: part.terms for part in parts("faults", LawParts, BODY_LAWS)}
@@ -409,7 +411,7 @@ def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list
 
     for law in of_carrier:
         path = f"hold.{law.key}" if isinstance(law, HeldLaw) else law.key
-        laws.append(_Law([law] * len(at), path, on_carrier, np.eye(6), ()))
+        laws.append(Law([law] * len(at), path, on_carrier, np.eye(6), ()))
     for s, k in enumerate(at[0].bodies.placed()):
         bodies, V_r = [p.bodies.bodies[s] for p in at], np.array([k.twist(p.V_r) for p in at])
 
@@ -421,7 +423,7 @@ def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list
         for law in of_body:
             kind = type(law)
             terms = coarse[kind](bodies, V_r) if kind in coarse else ()
-            laws.append(_Law([b.law(kind) for b in bodies], f"{k.body.name}.{law.key}", on_body, k.L, terms))
+            laws.append(Law([b.law(kind) for b in bodies], f"{k.body.name}.{law.key}", on_body, k.L, terms))
     return laws
 
 
@@ -474,12 +476,22 @@ def _in_field(key: str, change: _Change) -> _Change:
     return lambda whole, x: replace(whole, **{key: change(getattr(whole, key), x)})
 
 
-def law_columns(laws: Sequence[_Law], row: Array) -> Iterator[list[LawTerm]]:
+def law_columns(laws: Sequence[Law], row: Array) -> Iterator[list[LawTerm]]:
     """Columns of the component that `row` (6) takes of the wrench: coarse parts of each law; then finer ones."""
     finest = max((term.detail for law in laws for term in law.coarse), default=-1) + 1
     for detail in range(finest + 1 if laws else 0):
         there = ((law.L, term) for law in laws for term in law.terms(detail))
         yield _merge([replace(term, wrench=term.wrench @ (row @ L)) for L, term in there])
+
+
+def like_product(laws: Sequence[Law], row: Array, product: Array) -> Iterator[LawTerm]:
+    """Coefficients that are there and whose column is a product at all states, with their factors in it as values."""
+    for law in laws:
+        for term in law.coefficients:
+            column = term.wrench @ (row @ law.L)
+            ratio = float(product @ column) / float(product @ product)
+            if ratio * term.value and np.linalg.norm(column - ratio * product) <= ALIKE * np.linalg.norm(column):
+                yield replace(term, value=ratio * term.value)
 
 
 def _merge(columns: Sequence[LawTerm]) -> list[LawTerm]:

@@ -28,7 +28,7 @@ from mahovik.proof.diagnose.answers import (
 )
 from mahovik.proof.diagnose.causes import FACTORS, NumberSearch, Reading, SolvedNumbers, answered_by_factor, readings_of
 from mahovik.proof.diagnose.columns import TERMS_OF_BODIES, count_products
-from mahovik.proof.diagnose.search import WANTS, TermSearch, TermSearchResult, WrongTerm
+from mahovik.proof.diagnose.search import MOST, WANTS, TermSearch, TermSearchResult, WrongTerm
 from mahovik.proof.reference.algebra import Array, carrier_rotation, wrench_to_parent
 from mahovik.proof.verify.check import Check, Report
 from mahovik.proof.verify.foreign import Program
@@ -47,8 +47,7 @@ TELLING, FEW_WANTS = ("coupled", "forward", "torque"), 3
 """Wants by which causes are looked for, before they are compared with all: these where they differ, and how many."""
 
 SIMPLE = 6
-"""Digits of a number that people write: of numbers that explain an error alike, one with so few comes first, and before
-one that the file has as zero."""
+"""Digits of a number that people write: of numbers that explain an error alike, one with so few comes first."""
 
 
 @dataclass(frozen=True)
@@ -322,10 +321,11 @@ def _causes(solved: SolvedNumbers) -> tuple[Cause, ...]:
     return tuple(Cause(n.path, (value, n.value, n.dimension.si)) for n, value in solved.values.items())
 
 
-def _is_unlikely(solved: SolvedNumbers) -> tuple[bool, bool]:
-    """Whether one of the numbers has many digits; whether the file has one as zero."""
+def _is_unlikely(solved: SolvedNumbers) -> tuple[bool, bool, bool]:
+    """Whether a number has many digits; whether the file has one as zero; whether one is of the fluid, not the body."""
     digits = [len(f"{x:.15g}".partition("e")[0].replace(".", "").strip("-0")) for x in solved.values.values()]
-    return max(digits) > SIMPLE, any(number.value == 0.0 for number in solved.values)
+    numbers = solved.values
+    return max(digits) > SIMPLE, any(x.value == 0.0 for x in numbers), any(x.key == "added_mass" for x in numbers)
 
 
 # -- words -------------------------------------------------------------------------------------------------------------
@@ -372,7 +372,7 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
             lines += [f"approximately, {_remainder_words(diagnosis.unexplained)}:", *_cause_lines(diagnosis.causes, "")]
         else:
             lines.append("no single cause explains it: no wrong reading, and no one or two numbers of the stand file")
-        if result is not None:
+        if result is not None and result.wants:
             lines.append(f"a few wrong terms in {_join(result.wants)} do not explain it either")
     failed = "; ".join(diagnosis.failed)
     return [*lines, f"not compared there, but FAILED above: {failed}"] if failed else lines
@@ -385,8 +385,7 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
         causes = [{"fault": cause.name} for cause in diagnosis.causes]
         causes += [{key: getattr(term, key) for key in TERM_KEYS} for term in diagnosis.terms.terms]
     elif diagnosis.verdict in ("named", "approximate"):
-        share = (1.0 - diagnosis.unexplained) / max(len(diagnosis.causes), 1)
-        causes = [_cause(cause, share) for cause in diagnosis.causes]
+        causes = [_cause(cause) for cause in diagnosis.causes]
     return {
         "verdict": diagnosis.verdict,
         "unexplained": diagnosis.unexplained,
@@ -398,12 +397,12 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
     }
 
 
-def _cause(cause: Cause, share: float) -> dict[str, Any]:
+def _cause(cause: Cause) -> dict[str, Any]:
     more = {key: list(names) for key in ("like", "only_in") if (names := getattr(cause, key))}
     if cause.number is None:
-        return {"fault": cause.name, "share": share, **more}
+        return {"fault": cause.name, **more}
     value, expected, unit = cause.number
-    return {"number": cause.name, "value": value, "expected": expected, "unit": unit, "share": share, **more}
+    return {"number": cause.name, "value": value, "expected": expected, "unit": unit, **more}
 
 
 def _cause_lines(causes: Sequence[Cause], explains: str, precision: str = "double") -> list[str]:
@@ -423,7 +422,7 @@ def _cause_lines(causes: Sequence[Cause], explains: str, precision: str = "doubl
         alike = (
             "of the same effect on this stand" if precision == "double" else f"not told apart by answers in {precision}"
         )
-        lines.append(f"  {alike}: {_some(causes[0].like)}")
+        lines.append(f"  or, {alike}: {_some(causes[0].like)}")
     return lines
 
 
@@ -537,13 +536,16 @@ def diagnose_fault(stand: Stand, document: Mapping[str, Any], judged: Judged, se
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count_products(stand))
 
+    most = len(diagnosed.causes) - 1 if diagnosed.verdict == "named" else MOST  # more would not take their place
+
     def terms_beside(right: Stand) -> TermSearchResult:
         """Wrong terms beside what is right."""
+        of = right, seed, offered, states, precision, program, diagnosed.wrong
         if states is None and right.flywheels:  # few questions suffice where whole bodies have it
-            search = TermSearch(right, seed, offered, states, precision, program, diagnosed.wrong, of_bodies=True)
+            search = TermSearch(*of, of_bodies=True, most=most)
             with suppress(CheckError):
                 return search.find(judged.answers(search.requests))
-        search = TermSearch(right, seed, offered, states, precision, program, diagnosed.wrong)
+        search = TermSearch(*of, most=most)
         return search.find(judged.answers(search.requests))
 
     try:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
@@ -11,7 +12,7 @@ from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import svd
+from scipy.linalg import qr, solve_triangular
 
 from mahovik.core.stand.model import WRENCH_LETTERS, Quaternion, Stand, State
 from mahovik.core.stand.numbers import StandNumber, StandNumbers, exact
@@ -32,6 +33,7 @@ from mahovik.proof.diagnose.columns import (
     BEYOND,
     ROWS,
     Frame,
+    Law,
     body_terms,
     count_products,
     explain,
@@ -40,6 +42,7 @@ from mahovik.proof.diagnose.columns import (
     is_wrong,
     law_columns,
     laws_at,
+    like_product,
     products,
 )
 from mahovik.proof.reference import Pieces
@@ -85,6 +88,9 @@ SIDES = {"torque": "torque", "mounts": "mounts", "momentum": "momentum", "reacti
 MORE, SPARE = 1.25, 40
 """Number of states for each product, and of those besides."""
 
+MOST = 24
+"""Terms at most: an error of more is none of a few wrong terms."""
+
 FEW = 4
 """Terms of a component up to which an exact fit needs no other explanation; that of a whole equation has dozens."""
 
@@ -100,6 +106,9 @@ LIKELY = -1.0, 0.0
 PART, CHECKED = 0.03, 16
 """Error over the size of the terms that a right program may have: a part of what is accepted of its answers. Rows of a
 log at which what is left of the error is checked."""
+
+IN_PRODUCTS = "gravity", "stream", "profile"
+"""Tables and keys whose numbers are in the values of the products."""
 
 PLAIN = "weight", "buoyancy", "run-time"
 PLAIN_ON_CARRIER = "linear damping", "quadratic damping", "damping terms", "products in derivatives"
@@ -200,6 +209,21 @@ class _Equations:
         return float(np.linalg.norm(rest) / np.linalg.norm(self.relative)) if beyond else 0.0
 
 
+@dataclass(frozen=True, eq=False)
+class _Right:
+    """What the right equations have of the products, at the states that are drawn.
+
+    table    the products (n, m); beside: wrenches (n, c) that are no sum of them
+    factors  of the products (m, c); NaN where not known
+    parts    of these factors, what is proportional to a number of the stand file; NaN where not known
+    """
+
+    table: Array
+    beside: Array
+    factors: Array
+    parts: dict[StandNumber, Array]
+
+
 class TermSearch:
     """Finds wrong terms in programs of one stand: states, the reference's pieces and the products are kept."""
 
@@ -213,18 +237,20 @@ class TermSearch:
         program: Program | None = None,
         wrong: Sequence[str] = (),
         of_bodies: bool = False,
+        most: int = MOST,
     ) -> None:
         """`states`: the only ones with answers, by name, as in a log; None: those that the search asks for.
 
         `precision`: of the program, None: double; `program`: which states it takes, None: all; `wrong`: quantities that
-        are known to differ, as want: quantity; none: any may; `of_bodies`: only terms of whole bodies, by few states.
+        are known to differ, as want: quantity; none: any may; `of_bodies`: only terms of whole bodies, by few states;
+        `most`: terms that are of use.
         """
         rng = np.random.default_rng(seed)
         self._stand, self._wrong = stand, {tuple(label.split(": ")) for label in wrong}
         self._precision = precision or Precision("double", ACCEPTED["double"], 17, 330)
         self._printed, self._scales = 2.0 * 10.0 ** (1 - self._precision.digits), Scales(stand)
         self._rounding = max(ACCEPTED["double"], PART * self._precision.accepted, self._printed)
-        self._of_bodies = of_bodies
+        self._of_bodies, self._most = of_bodies, most
         count = ROWS if of_bodies else math.ceil(MORE * count_products(stand)) + SPARE
         self._drawn = [_state(stand, rng) for _ in range(count)]
         if program is not None and program.actuators:
@@ -237,20 +263,21 @@ class TermSearch:
         named, self._fitted = [*fitted, *checks], len(fitted)
         self._states = [state for _, state in named]
         differing = {want for want, _ in self._wrong}
-        is_told = {"forward", "torque"} <= set(wants) and "coupled" not in differing  # it says nothing new then
+        is_told = {"forward", "torque"} <= set(wants)  # of "coupled", which says nothing new then
         self.wants = tuple(
             want
             for want in WANTS
-            if want in wants
+            if want in (differing or wants)
+            and want in wants
             and (stand.flywheels or want not in OF_FLYWHEELS)
             and (stand.hold is not None or want not in OF_HELD)
             and (want not in WHERE_WRONG or (want in differing and stand.hold is None))
-            and not (want == "coupled" and is_told)
+            and (want != "coupled" or differing or not is_told)
         )
         self._requests = {
             want: [Request(f"{name}, {want}", state, (want,)) for name, state in named] for want in self.wants
         }
-        self._right: dict[tuple[str, ...], Array] = {}
+        self._right: dict[tuple[str, ...], _Right] = {}
 
     @property
     def requests(self) -> list[Request]:
@@ -402,6 +429,17 @@ class TermSearch:
     def _pieces(self) -> list[Pieces]:
         return self._pieces_of(self._states, self._stand)
 
+    @cached_property
+    def _drawn_pieces(self) -> list[Pieces]:
+        return self._pieces_of(self._drawn, self._stand)
+
+    @cached_property
+    def _laws_beside(self) -> list[Law]:
+        """Laws that may hold a product beside `_Right`, at the first of the states that are drawn."""
+        laws = laws_at(self._stand, self._drawn[:ROWS], self._drawn_pieces[:ROWS])
+        plain = f"{self._stand.carrier.name}.damping"
+        return [law for law in laws if law.path != plain and not law.path.endswith(".buoyancy")]
+
     def _pieces_of(self, states: Sequence[State], stand: Stand) -> list[Pieces]:
         return [reference.pieces(stand_at(stand, state), state) for state in states]
 
@@ -411,9 +449,13 @@ class TermSearch:
         """Wrong terms of all components, and the fit of each wrong one; of whole bodies where these are fewer."""
         by_body, wrong = self._body_terms(of, before), is_wrong(of.relative, of.checked)
         fit = by_body[1]
-        if of.side == "mounts" or not wrong.any() or (fit.exact and not fit.left and len(by_body[0]) < wrong.sum()):
+        again = {(x.component, x.term) for x in by_body[0]} <= {(x.component, x.term) for x in before}
+        fewest = fit.exact and not fit.left and (again or len(by_body[0]) < wrong.sum())
+        if of.side == "mounts" or not wrong.any() or fewest:
             return by_body[0], [fit]
         fitted = int((~of.checked).sum())
+        if wrong.sum() > self._most:  # products would be more, one at least of each component
+            return by_body[0], [fit]
         if not fit.exact or self._of_bodies:
             self._check_count(of.want, fitted, count_products(self._stand))
         elif fitted < count_products(self._stand):
@@ -453,13 +495,14 @@ class TermSearch:
         explained = np.zeros_like(of.error)
         table = products(of.frame, of.states, of.at, of.side == "momentum")
         laws = laws_at(self._stand, of.states, of.at) if of.side == "wrench" else []
-        columns, m = Columns(table.values[fitted], table.accelerate), len(table.names)
-        right = self._factors(of)
-        terms: list[tuple[float, WrongTerm]] = []
+        columns, right = Columns(table.values[fitted], table.accelerate), self._right_factors(of)
+        told: list[tuple[int, int, LawTerm, float, tuple[str, ...]]] = []
         fits: list[Fit] = []
         for i in wrong:
-            there = _is_there(right[:, i])
-            fit, of_laws = columns.fit(error[:, i], rounding, there), list[LawTerm]()
+            there = _is_there(right.factors[:, i])
+            factors = np.where(there | np.isnan(right.factors[:, i]), right.factors[:, i], 0.0).tolist()
+            of_table = [LawTerm(0, name, "", *x) for name, *x in zip(table.names, factors, table.values.T, strict=True)]
+            fit, among = columns.fit(error[:, i], rounding, there), of_table
             columns_of_laws = law_columns(laws, of.frame.rows[:, i])
             while not (fit.exact and len(fit.coefficients) <= FEW):
                 if (finer := next(columns_of_laws, None)) is None:
@@ -467,85 +510,103 @@ class TermSearch:
                 kept = columns.independent(np.column_stack([x.wrench[fitted] for x in finer]))
                 wide = np.column_stack([table.values[fitted], *(finer[j].wrench[fitted] for j in kept)])
                 more = np.full(len(kept), False)
-                widened = Columns(wide, np.append(table.accelerate, more))
+                widened = Columns(wide, np.append(table.accelerate, more), columns)
                 other = widened.fit(error[:, i], rounding, np.append(there, ~more))
                 if other.exact and (not fit.exact or len(other.coefficients) < len(fit.coefficients)):
-                    fit, of_laws = other, [finer[j] for j in kept]
+                    fit, among = other, [*of_table, *(finer[j] for j in kept)]
             mass = np.flatnonzero(there & table.accelerate).tolist()
-            left = np.abs([right[k, i] + fit.coefficients.get(k, 0.0) for k in mass])
-            if mass and (left <= SAME * np.abs(right[mass, i])).all():
-                fit = Fit({}, 1.0)  # "all of it is missing" is true of every wrong equation, but a program has its mass
-            values_of = {k: of_laws[k - m].wrench if k >= m else table.values[:, k] for k in fit.coefficients}
-            if not fit.exact:  # nothing is named then
-                return [], [Fit({}, 1.0)]
-            if values_of:  # to all digits, by all states
-                A = np.column_stack([*values_of.values()]) / of.noise[:, [i]]
+            left = np.abs([right.factors[k, i] + fit.coefficients.get(k, 0.0) for k in mass])
+            if not fit.exact or (mass and (left <= SAME * np.abs(right.factors[mass, i])).all()):
+                return [], [Fit({}, 1.0)]  # "all of it is missing" is true of every wrong equation, but there is a mass
+            if places := list(fit.coefficients):  # to all digits, by all states
+                A = np.column_stack([among[k].wrench for k in places]) / of.noise[:, [i]]
                 size = np.linalg.norm(A, axis=0)
                 factors = np.linalg.lstsq(A / size, of.relative[:, i], rcond=None)[0] / size
-                fit = replace(fit, coefficients=dict(zip(values_of, factors.tolist(), strict=True)))
+                explained[:, i] = np.column_stack([among[k].wrench for k in places]) @ factors
+                for k, c in zip(places, factors.tolist(), strict=True):
+                    told.append((i, k, among[k], c, tuple(among[j].term for j in fit.twins.get(k, ()))))
             fits.append(fit if fit.coefficients else replace(fit, left=1.0))
-            names = (*table.names, *(x.term for x in of_laws))
-            for k, c in fit.coefficients.items():
-                values = values_of[k]
-                explained[:, i] += c * values
-                factor, expected, path = c, None, ""
-                if k >= m:
-                    expected, path = of_laws[k - m].value, of_laws[k - m].coefficient
-                    factor = expected + c
-                elif there[k]:
-                    factor, expected, path = self._part(of, k, i, float(right[k, i]), c)
-                elif not np.isnan(right[k, i]):
-                    expected = 0.0
-                factor = 0.0 if abs(factor) <= SAME * abs(expected or 0.0) else factor
-                twins = tuple(names[j] for j in fit.twins.get(k, ()))
-                term = WrongTerm(of.want, of.frame.components[i], names[k], factor, expected, path, twins=twins)
-                terms.append((float(np.sum((c * values[fitted]) ** 2)), term))
+        self._find_parts(
+            of,
+            right,
+            [size for _, _, x, c, _ in told if abs(x.value) > 0.0 and not x.coefficient for size in (x.value, c)],
+        )
+        terms: list[tuple[float, WrongTerm]] = []
+        for i, k, x, c, twins in told:
+            factor, expected, path = self._named(of, right, i, k, x, c)
+            factor = 0.0 if abs(factor) <= SAME * abs(expected or 0.0) else factor
+            term = WrongTerm(of.want, of.frame.components[i], x.term, factor, expected, path, twins=twins)
+            terms.append((float(np.sum((c * x.wrench[fitted]) ** 2)), term))
         whole = sum(size for size, _ in terms) or 1.0
-        fits = [replace(fit, left=of.remainder(explained)) if fit.exact else fit for fit in fits] or [Fit({}, 1.0)]
+        fits = [replace(fit, left=of.remainder(explained)) for fit in fits] or [Fit({}, 1.0)]
         return [replace(x, share=size / whole) for size, x in sorted(terms, key=lambda x: -x[0])], fits
 
-    def _factors(self, of: _Equations, number: StandNumber | None = None) -> Array:
-        """Right factors (m, c) of the products, of what is a sum of them, with 1.01 times a number; NaN: not known.
-
-        Where there are other wrenches too, these may hold a product that nothing else has. UsageError: no stand has it.
-        """
-        key = (number.path if number else "", of.side, *of.frame.components)
-        if key in self._right:
-            return self._right[key]
-        stand = self._stand
-        if number:
-            stand = read(self._file.with_values({number: 1.01 * number.value}), stand.name, physics=False)
-        at = self._pieces_of(self._drawn, stand)
-        table = products(of.frame, self._drawn, at, of.side == "momentum")
-        right = np.array([RIGHT[of.side](p, s) for p, s in zip(at, self._drawn, strict=True)])
-        not_products = np.array([_other_wrenches(p) for p in at]) if of.side == "wrench" else np.zeros_like(right)
-        factors = least_squares(table.values, (right - not_products) @ of.frame.rows)
-        beside = (not_products @ of.frame.rows).any(axis=0)
-        self._right[key] = np.where(beside & ~_is_there(factors), math.nan, factors)
+    def _right_factors(self, of: _Equations) -> _Right:
+        """What the right equations have of the products. Other wrenches may hold a product that nothing else has."""
+        key = (of.side, *of.frame.components)
+        if key not in self._right:
+            at = self._drawn_pieces
+            table = products(of.frame, self._drawn, at, of.side == "momentum").values
+            right = _sides(of, at, self._drawn)
+            beside = np.array([_other_wrenches(p) for p in at]) @ of.frame.rows if of.side == "wrench" else 0.0 * right
+            factors = least_squares(table, right - beside)
+            unknown = beside.any(axis=0) & ~_is_there(factors)
+            self._right[key] = _Right(table, beside, np.where(unknown, math.nan, factors), {})
         return self._right[key]
 
-    def _part(self, of: _Equations, k: int, component: int, expected: float, error: float) -> tuple[float, float, str]:
-        """A factor, the right one, and the path of the number of the stand file that this is proportional to.
+    def _find_parts(self, of: _Equations, right: _Right, sizes: Sequence[float]) -> None:
+        """Add the parts of numbers that factors of these sizes may be proportional to."""
+        stands = dict[StandNumber, Stand]()
+        for number in self._file:
+            if number not in right.parts and self._may_have(number, sizes):
+                with suppress(UsageError):
+                    changed = self._file.with_values({number: 1.01 * number.value})
+                    stands[number] = read(changed, self._stand.name, physics=False)
+        if stands:
+            sides = [_sides(of, self._pieces_of(self._drawn, x), self._drawn) - right.beside for x in stands.values()]
+            factors = np.hsplit(least_squares(right.table, np.hstack(sides)), len(sides))
+            right.parts.update({x: (y - right.factors) / 0.01 for x, y in zip(stands, factors, strict=True)})
 
-        Of all of the coefficient of product k; else of the part of it that a number has, where this explains the error
-        by a likely factor. The part is what changes with the number in the right equations.
+    def _may_have(self, number: StandNumber, sizes: Sequence[float]) -> bool:
+        """Whether a factor of one of some sizes, or an error, is likely to be of a number."""
+        g = float(np.linalg.norm(self._stand.gravity))
+        values = [abs(multiple * number.value) for multiple in (1.0, 2.0, 0.5, g, 2.0 * g)]
+        likely = any(abs(x - abs(size)) <= SAME * abs(size) for x in values for size in sizes)
+        return likely and number.body not in IN_PRODUCTS
+
+    def _named(
+        self, of: _Equations, right: _Right, i: int, k: int, term: LawTerm, error: float
+    ) -> tuple[float, float | None, str]:
+        """A factor, the right one if it is known, and the numbers of the stand file that it is of.
+
+        Of a product of component i it is all of its factor, with that of other laws whose columns are this product; or
+        the part that a number has, where this number alone explains the error by a likely factor.
         """
-        file, g = self._file, float(np.linalg.norm(self._stand.gravity))
-        result = expected + error, expected, ""
-        for number in file:
-            sizes = [abs(multiple * number.value) for multiple in (1.0, 2.0, 0.5, g, 2.0 * g)]
-            alike = any(abs(x - abs(y)) <= SAME * abs(y) for x in sizes for y in (expected, error))
-            if not alike or number.body == "gravity":  # which the name of the product has
-                continue
-            try:
-                part = (float(self._factors(of, number)[k, component]) - expected) / 0.01
-            except UsageError:
-                continue
-            if abs(part - expected) <= SAME * abs(expected):
-                return expected + error, expected, number.path
-            if any(abs(error - (likely - 1.0) * part) <= SAME * abs(error) for likely in LIKELY):
-                result = part + error, part, number.path
-        return result
+        if term.coefficient:
+            return term.value + error, term.value, term.coefficient
+        laws = self._laws_beside if of.side == "wrench" else []
+        like = list(like_product(laws, of.frame.rows[:, i], right.table[:ROWS, k]))
+        if math.isnan(term.value) and not like:
+            return error, None, ""
+        value = np.nan_to_num(term.value)
+        parts = [(x, part[k, i]) for x, part in right.parts.items() if value and self._may_have(x, (value, error))]
+        whole = [x.path for x, part in parts if abs(part - value) <= SAME * abs(value)][:1]
+        likely = {
+            (x.body, x.key, x.element or x.path): (x.path, part)
+            for x, part in parts
+            if any(abs(error - (factor - 1.0) * part) <= SAME * abs(error) for factor in LIKELY)
+        }
+        names = [*whole, *(x.coefficient for x in like)] or [path for path, _ in likely.values()]
+        if like or whole or len(likely) != 1:
+            value += sum(x.value for x in like)
+        else:
+            ((_, value),) = likely.values()
+        return value + error, value, " or ".join(names)
+
+
+def _sides(of: _Equations, at: Sequence[Pieces], states: Sequence[State]) -> Array:
+    """The right side (n, c) of equations at some states."""
+    return np.array([RIGHT[of.side](p, s) for p, s in zip(at, states, strict=True)]) @ of.frame.rows
 
 
 def _slope(at: Pieces, side: str, name: str, frame: Frame) -> Array:
@@ -613,9 +674,8 @@ Mask = NDArray[np.bool_]
 Places = NDArray[np.int64]
 """Indices of columns."""
 
-MOST, PICKS = 24, 12
-"""Terms at most: an error of more is none of a few wrong terms; those that are looked for one after another, where
-least squares over all has no single answer."""
+PICKS = 12
+"""Terms that are looked for one after another, where least squares over all has no single answer."""
 
 EXACT, SHARE, KNOWN = 1e-11, 0.01, 1e-7
 """A fit that leaves less of an error than the first part, or than its rounding, is the error itself; it leaves at most
@@ -623,8 +683,8 @@ the second, however large rounding may be. Part of the values of right equations
 factors to be known."""
 
 SINGULAR, INDEPENDENT = 1e-11, 1e-6
-"""Columns whose singular values fall below this part of the largest have no single answer; part of a column that others
-do not explain, from which on it is one of its own."""
+"""Columns of which others leave less than this part have no single answer; part of a column that others do not explain,
+from which on it is one of its own."""
 
 
 @dataclass(frozen=True)
@@ -656,14 +716,28 @@ def least_squares(columns: Array, values: Array) -> Array:
 
 
 class _Set:
-    """Some of the columns, at `places`, of unit length, with their singular values; rank: how many are independent."""
+    """Some of the columns, at `places`, of unit length, as an orthogonal basis (n, r) times a triangle, by pivots.
 
-    def __init__(self, scaled: Array, places: Places) -> None:
+    rank: how many are independent; span: their basis.
+    """
+
+    def __init__(self, scaled: Array, places: Places, base: _Set | None = None) -> None:
+        """`base`: the first of them, whose basis is kept."""
         self.places, self.columns = places, scaled[:, places]
-        self._svd = svd(self.columns, full_matrices=False, check_finite=False) if places.size else (self.columns,) * 3
-        singular = self._svd[1].ravel()
-        self.rank = int((singular > SINGULAR * singular[:1]).sum())
-        self.span = self._svd[0][:, : self.rank]
+        first = 0 if base is None else len(base.places)
+        span = np.zeros((len(scaled), 0)) if base is None else base.span
+        rest = more = self.columns[:, first:]
+        for _ in range(2):
+            rest = rest - span @ (span.T @ rest)
+        basis, triangle, order = qr(rest, mode="economic", pivoting=True, check_finite=False)
+        beyond = np.abs(np.diagonal(triangle)) > SINGULAR
+        self.span: Array = np.column_stack([span, basis[:, : beyond.sum()]])
+        self.rank = self.span.shape[1]
+        self._order: Places = np.append(np.zeros(0, int) if base is None else base._order, first + order)
+        self._triangle: Array = triangle
+        if base is not None and self.rank == len(places):
+            above, left = span.T @ more[:, order], np.zeros((len(order), first))
+            self._triangle = np.block([[base._triangle, above], [left, triangle]])
 
     def candidates(self, error: Array, limit: float) -> Iterator[Places]:
         """Few columns that may be the error: one after another, and least squares over all.
@@ -680,22 +754,22 @@ class _Set:
             rest = error - self.columns[:, kept] @ c
         yield self.places[np.sort(np.array(kept, dtype=np.int64)[np.abs(c) > 10 * limit])]
         if self.places.size and self.rank == len(self.places):
-            left, singular, right = self._svd
-            yield self.places[np.abs(right.T @ (left.T @ error / singular)) > limit / singular[-1]]
+            inverse = solve_triangular(self._triangle, np.eye(self.rank), check_finite=False)
+            is_there = np.abs(inverse @ (self.span.T @ error)) > limit * np.linalg.norm(inverse, axis=1)
+            yield np.sort(self.places[self._order[is_there]])
 
 
 class Columns:
     """Columns (n, m) that errors are explained by."""
 
-    def __init__(self, columns: Array, later: Mask) -> None:
-        """`later` (m): those that may depend on the others, and are looked at where the others are not sparse."""
+    def __init__(self, columns: Array, later: Mask, base: Columns | None = None) -> None:
+        """`later` (m): those that may depend on the others, and are looked at where the others are not sparse.
+
+        `base`: the first of them.
+        """
         self._size = np.linalg.norm(columns, axis=0)
         self._scaled = np.divide(columns, self._size, out=np.zeros_like(columns), where=self._size > 0.0)
-        self._later, self._sets = later, dict[bytes, _Set]()
-
-    @cached_property
-    def _span(self) -> Array:
-        return np.asarray(np.linalg.qr(self._scaled)[0])
+        self._later, self._base, self._sets = later, base, dict[bytes, _Set]()
 
     def independent(self, more: Array) -> list[int]:
         """Those of `more` (n, k) that these columns, and others of them, do not explain."""
@@ -716,7 +790,8 @@ class Columns:
         """
         whole = float(np.linalg.norm(error))
         limit = max(EXACT * whole, rounding * np.sqrt(len(error)))
-        beyond = error - self._span @ (self._span.T @ error)
+        span = self._set(np.full(first.shape, True)).span
+        beyond = error - span @ (span.T @ error)
         if (left := float(np.linalg.norm(beyond))) > min(limit, SHARE * whole):
             return Fit({}, left / whole)  # all columns at once do not explain it
         best, exact = Fit({}, 1.0), dict[int, tuple[Fit, _Set]]()
@@ -739,7 +814,8 @@ class Columns:
     def _set(self, chosen: Mask) -> _Set:
         key = chosen.tobytes()
         if key not in self._sets:
-            self._sets[key] = _Set(self._scaled, np.flatnonzero(chosen & (self._size > 0.0)))
+            base = None if self._base is None else self._base._set(chosen[: len(self._base._size)])
+            self._sets[key] = _Set(self._scaled, np.flatnonzero(chosen & (self._size > 0.0)), base)
         return self._sets[key]
 
     def _twins(self, fit: Fit, among: _Set, error: Array, limit: float) -> dict[int, list[int]]:
