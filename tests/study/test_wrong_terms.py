@@ -398,7 +398,7 @@ def test_parts_of_a_law_add_up_to_it() -> None:
     states = [with_drawn_actuators(vehicle(), rest_state(vehicle()), rng) for _ in range(4)]
     V = rng.normal(size=(4, 6))
     bodies = [stand_at(vehicle(), state).carrier for state in states]
-    kinds = [body_wrenches(b, np.zeros(3), x, np.zeros(6)) for b, x in zip(bodies, V, strict=True)]
+    kinds = [body_wrenches(b, np.zeros(3), x) for b, x in zip(bodies, V, strict=True)]
     (law,) = parts("faults", LawParts, BODY_LAWS)
     terms = list(law.terms(bodies, V))
     expected = [wrenches["cross-flow drag"] for wrenches in kinds]

@@ -9,7 +9,6 @@ measured with an error. The table of the file, its text, its numbers, the struct
 from __future__ import annotations
 
 import math
-import typing
 from collections.abc import Callable
 from dataclasses import MISSING, dataclass, fields, replace
 from functools import cache
@@ -19,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.fields import ZERO6, Mat6, Vec3
-from mahovik.core.stand.tables import Default, QuantityValidator, Table, declared_keys, make_table
+from mahovik.core.stand.tables import Default, QuantityValidator, Table, annotations_of, declared_keys, make_table
 
 Array = NDArray[np.float64]
 
@@ -186,7 +185,7 @@ class Declared:
     @cache
     def annotations(cls) -> dict[str, tuple[Any, ...]]:
         """Type of each field, and what is said of it."""
-        hints = typing.get_type_hints(cls, include_extras=True)
+        hints = annotations_of(cls)
         result = {f.name: hints[f.name] for f in fields(cls)}  # type: ignore[arg-type]  # every subclass is a dataclass
         return {
             name: (hint.__origin__, *hint.__metadata__) if hasattr(hint, "__metadata__") else (hint,)

@@ -402,7 +402,7 @@ def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list
     """All laws of a stand at n states: those between E0 and the carrier, then those of each body."""
     laws, of_carrier = list[Law](), cast(tuple[Any, ...], stand.laws)
     poses = [Pose(axial(p.L1[3:, :3] @ p.C.T), p.C, p.V) for p in at]
-    between, none = parts("reference", CarrierReference), np.zeros(6)
+    between = parts("reference", CarrierReference)
     coarse = {part.law: part.terms for part in parts("faults", LawParts, BODY_LAWS)}
 
     def on_carrier(i: int, law: Any) -> Array:
@@ -417,7 +417,7 @@ def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list
 
         def on_body(i: int, law: Any, bodies: Any = bodies, V_r: Array = V_r) -> Array:
             alone = replace(bodies[i], laws=(law,))
-            return body_wrench(body_wrenches(alone, none[:3], V_r[i], none))
+            return body_wrench(body_wrenches(alone, np.zeros(3), V_r[i]))
 
         of_body: Any = () if isinstance(k.body, Flywheel) else k.body.laws
         for law in of_body:

@@ -96,25 +96,31 @@ def external_wrenches(
     `gravity` (3) and `V_r` (6, twist of E1 relative to the fluid) in E1.
     """
     P: dict[str, Kinds] = {}
-    gravities, twists = transpose(bodies.L[:, :3, :3]) @ gravity, bodies.twists(V_r)
-    for body, gravity_there, V_r_there in zip(bodies.bodies, gravities, twists, strict=True):
-        P[body.name] = body_wrenches(body, gravity_there, V_r_there, run_time_wrench(state, body))
+    gravities, weights = transpose(bodies.L[:, :3, :3]) @ gravity, weights_of(bodies, gravity)
+    for body, weight, gravity_there, V_r_there in zip(
+        bodies.bodies, weights, gravities, bodies.twists(V_r), strict=True
+    ):
+        of_laws, run_time = body_wrenches(body, gravity_there, V_r_there), run_time_wrench(state, body)
+        P[body.name] = {"weight": weight, **of_laws, "run-time": run_time}
     for law in parts("reference", CarrierReference):
         P[stand.carrier.name] = {**P[stand.carrier.name], **law.wrenches(stand, state, at)}
     return P
 
 
-def body_wrenches(body: Body, gravity: Array, V_r: Array, run_time: Array) -> Kinds:
-    """Wrenches on one body by kind. `gravity` (3, m/s2), `V_r` (6, relative to the fluid) in its frame.
+def weights_of(bodies: Bodies, gravity: Array) -> Array:
+    """Theta (g, 0) = (m g, m rc x g) of every body (nx6; N, N m), in its frame; `gravity` (3, m/s2) in E1."""
+    there = transpose(bodies.L[:, :3, :3]) @ gravity
+    return times(bodies.Theta, np.hstack([there, np.zeros_like(there)]))
 
-    `run_time` (6) is the wrench of the caller.
-    """
+
+def body_wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrenches of the laws of one body by kind. `gravity` (3, m/s2), `V_r` (6, relative to the fluid) in its frame."""
     kinds: dict[str, Array] = {}
-    data = {None: None} | {type(law): law for law in body.laws}
-    for law in parts("reference", BodyReference, BODY_LAWS):
+    data = {type(law): law for law in body.laws}
+    for law in parts("reference", BodyReference, BODY_LAWS) if data else ():
         if law.data in data:
             kinds |= law.wrenches(body, data[law.data], gravity, V_r)
-    return kinds | {"run-time": run_time}
+    return kinds
 
 
 def run_time_wrench(state: State, body: Body) -> Array:
@@ -152,11 +158,8 @@ def body_columns(at: Pieces, state: State) -> tuple[Array, Array]:
     """
     k = at.bodies
     phi_ddot = np.concatenate([np.zeros(len(k.bodies) - len(state.phi_ddot)), vector(state.phi_ddot)])
-    units = UNIT_BODIES[:, None]
-    gravity = transpose(k.L[:, :3, :3]) @ at.gravity
-    weight = times(units, np.hstack([gravity, np.zeros_like(gravity)]))  # Theta (g, 0) = (m g, m rc x g)
-    alone = replace(k, Theta=units)
-    wrenches = mounts_on_flywheels(alone, weight, at.V, vector(state.V_dot), phi_ddot)
+    alone = replace(k, Theta=UNIT_BODIES[:, None])
+    wrenches = mounts_on_flywheels(alone, weights_of(alone, at.gravity), at.V, vector(state.V_dot), phi_ddot)
     return np.moveaxis(times(k.L, wrenches), 0, -1), (wrenches @ f).T
 
 

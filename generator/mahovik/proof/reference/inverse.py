@@ -62,7 +62,7 @@ class ScaledDemand:
     """A phi'' = c, A (mxN), c (m), as W y = r without units: W = root A Theta_ff^-1/2, y = Theta_ff^1/2 phi''.
 
     `root` (mxm) scales what is left over: (S^T K S)^-1/2 of a wrench, G^-1/2 of a task's error. So the singular values
-    of W are the same for any units, origin and axes.
+    of W are the same for any units, origin and axes. `to_phi_ddot` (N): the diagonal of Theta_ff^-1/2.
     """
 
     A: Array
@@ -73,7 +73,7 @@ class ScaledDemand:
     @property
     def W(self) -> Array:
         """The scaled matrix (mxN)."""
-        return self.root @ self.A @ self.to_phi_ddot
+        return self.root @ self.A * self.to_phi_ddot
 
     @property
     def r(self) -> Array:
@@ -82,7 +82,7 @@ class ScaledDemand:
 
     def phi_ddot(self, y: Array) -> Array:
         """phi'' (N, rad/s2) of a scaled answer."""
-        return self.to_phi_ddot @ y
+        return self.to_phi_ddot * y
 
 
 def inverse_root(S: Array) -> Array:
@@ -90,8 +90,6 @@ def inverse_root(S: Array) -> Array:
 
     Any such factor gives the same singular values, norms and answer; this one loses no digits to mixed units.
     """
-    if np.count_nonzero(S) == len(S):  # Theta_ff, of as many rows as there are flywheels
-        return np.diag(1.0 / np.sqrt(np.diag(S)))
     return np.asarray(np.linalg.inv(np.linalg.cholesky(S)))
 
 
@@ -103,7 +101,9 @@ def demand(at: Pieces, V_dot: Array) -> Array:
 def scaled_demand(at: Pieces, V_dot: Array) -> ScaledDemand:
     """S^T I phi'' = S^T (F - K V* - M V - J phi') for V_dot (6) relative to E0, in the norm of (S^T K S)^-1."""
     S = at.S
-    return ScaledDemand(S.T @ at.I, S.T @ demand(at, V_dot), inverse_root(S.T @ at.K @ S), inverse_root(at.Theta_ff).T)
+    return ScaledDemand(
+        S.T @ at.I, S.T @ demand(at, V_dot), inverse_root(S.T @ at.K @ S), 1.0 / np.sqrt(np.diag(at.Theta_ff))
+    )
 
 
 def weights(stand: Stand) -> Array:
@@ -328,7 +328,7 @@ def scaled_task(at: Pieces, rows: TaskRows, demand: Array) -> ScaledDemand:
     to_motion = np.array([solve_symmetric(at.K, row) for row in rows.S])  # S K^-1
     c = to_motion @ (at.F - at.bias) + rows.s - demand
     R = np.asarray(np.linalg.qr(inverse_root(at.K) @ rows.S.T, mode="r"), dtype=np.float64)
-    return ScaledDemand(to_motion @ at.I, c, np.asarray(np.linalg.inv(R.T)), inverse_root(at.Theta_ff).T)
+    return ScaledDemand(to_motion @ at.I, c, np.asarray(np.linalg.inv(R.T)), 1.0 / np.sqrt(np.diag(at.Theta_ff)))
 
 
 def answer_task(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
@@ -361,7 +361,7 @@ class TorqueDemand(ScaledDemand):
 
     def from_torque(self, tau: Array) -> Array:
         """y (N) of torques."""
-        return np.asarray((tau - self.preferred) / np.diag(self.to_phi_ddot))
+        return np.asarray((tau - self.preferred) / self.to_phi_ddot)
 
 
 def torque_demand(at: Pieces, rows: TaskRows, demand: Array, preferred: Array, locked: Array) -> TorqueDemand:
@@ -375,7 +375,7 @@ def torque_demand(at: Pieces, rows: TaskRows, demand: Array, preferred: Array, l
     root = inverse_root(rows.S @ ((X + X.T) / 2)[:6, :6] @ rows.S.T)
     Theta = np.diag(at.Theta_ff)
     tau = Theta * preferred - spin_up_torque(at, np.zeros(N))
-    return TorqueDemand(B, demand - a_0 - B @ tau, root, np.diag(np.sqrt(Theta)), tau)
+    return TorqueDemand(B, demand - a_0 - B @ tau, root, np.sqrt(Theta), tau)
 
 
 def motor_bounds(stand: Stand, at: Pieces) -> tuple[Array, Array]:

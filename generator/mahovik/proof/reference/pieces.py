@@ -46,11 +46,11 @@ class BodyReference:
     """A law of bodies.
 
     wrenches  on a body (6; N, N m) by kind, by its data of the law, `gravity` (3, m/s2) and V_r (6), all in its frame
-    data      class of these data: bodies without them bear no such wrench; None: every body does, and there are none
+    data      class of these data: bodies without them bear no such wrench
     """
 
     wrenches: Callable[[Body, Any, Array, Array], dict[str, Array]]
-    data: type[Any] | None = None
+    data: type[Any]
 
 
 @dataclass(frozen=True)

@@ -158,7 +158,7 @@ class Problem:
 
     def y(self, x: Array) -> Array:
         """Scaled answer (N)."""
-        return np.where(self.locked, 0.0, (x - self.offset) / np.diag(self.scaled.to_phi_ddot))
+        return np.where(self.locked, 0.0, (x - self.offset) / self.scaled.to_phi_ddot)
 
     def solution(self, weight: Array) -> Array:
         """x (N) without bounds: least error, then least weighted y."""
@@ -392,7 +392,7 @@ def _judge_fast(case: Case, rows: Rows, question: Question, status: int, phi_ddo
 
     known = question.scaled(case.stand, case.scales.at(question.state))
     gram, to_y = normal_matrix(known, question.weight, question.damping[1]), (known.W / question.weight).T
-    z = np.linalg.lstsq(to_y, phi_ddot / np.diag(known.to_phi_ddot), rcond=None)[0]
+    z = np.linalg.lstsq(to_y, phi_ddot / known.to_phi_ddot, rcond=None)[0]
     if len(gram) == len(z):
         # directions in which no flywheel acts: damping alone bounds z there
         unseen = np.linalg.svd(to_y)[2][np.linalg.matrix_rank(to_y) :].T
@@ -401,7 +401,7 @@ def _judge_fast(case: Case, rows: Rows, question: Question, status: int, phi_ddo
     def sides(stand: Stand, _: State, at: Pieces) -> Values:
         """Both are solved one after the other, each to rounding of its own terms: z is kept, whatever W is."""
         scaled = question.scaled(stand, at)
-        y = phi_ddot / np.diag(scaled.to_phi_ddot)
+        y = phi_ddot / scaled.to_phi_ddot
         gram = normal_matrix(scaled, question.weight, question.damping[1])
         if scaled.W.shape[1] < len(scaled.r):
             return {"equations": np.stack([gram @ y, scaled.W.T @ scaled.r])}
