@@ -10,12 +10,13 @@ import sympy as sp
 
 from derive.exact import circle, remainders, rotation, trigonometric
 from mahovik.core.derive import carrier, flywheel, regressor
-from mahovik.core.derive.screw import L, Phi, cross, elementary, vector
+from mahovik.core.derive.screw import L, Phi, Theta, cross, e_bracket, elementary, f, vector
 
 W = flywheel.generic()
 SO3 = (*circle(sp.Symbol("c"), sp.Symbol("s")), *rotation(W.R))
 G = vector("g")
 PARAMETERS = sp.Matrix(regressor.BODY)
+V_DOT, PHI_DDOT = vector("v_dot").col_join(vector("omega_dot")), sp.Symbol("phi_ddot")
 
 
 def bind(name: str, values: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
@@ -30,17 +31,20 @@ def turned_axes() -> sp.Matrix:
 def by_columns() -> sp.Matrix:
     """The wrench of one flywheel in its own frame: columns times parameters."""
     N, e1, v, omega = turned_axes(), sp.Matrix([1, 0, 0]), carrier.v, carrier.omega
-    v_dot, omega_dot = flywheel.V_dot[:3, :], flywheel.V_dot[3:, :]
+    v_dot, omega_dot = V_DOT[:3, :], V_DOT[3:, :]
     proper = v_dot + cross(omega) * (v + cross(omega) * W.O) + cross(omega_dot) * W.O - G
     column = N.T * omega
-    acceleration = N.T * omega_dot - W.phi_dot * cross(e1) * column + flywheel.phi_ddot * e1
+    acceleration = N.T * omega_dot - W.phi_dot * cross(e1) * column + PHI_DDOT * e1
     known = bind("d", N.T * proper) | bind("w", column + W.phi_dot * e1) | bind("a", acceleration)
     return regressor.body_columns().xreplace(known) * PARAMETERS
 
 
 def literal() -> sp.Matrix:
     """Theta_s V_s* + Phi(V_s) Z_s less the weight, in Es; row 3 is the drive torque."""
-    in_Es = trigonometric(flywheel.literal_torque(W, carrier.V), W.phi)
+    Ls, Theta_s = L(W.O, W.R * elementary(1, W.phi)), Theta(W.m, W.b, W.J)
+    V_s = Ls.T * carrier.V + f * W.phi_dot
+    V_s_dot = Ls.T * V_DOT - W.phi_dot * e_bracket() * Ls.T * carrier.V + f * PHI_DDOT
+    in_Es = trigonometric(Theta_s * V_s_dot + Phi(V_s) * Theta_s * V_s, W.phi)
     g = turned_axes().T * G
     return in_Es - (W.m * g).col_join(cross(W.b) * g)
 
@@ -55,7 +59,7 @@ def test_the_carrier_rows_are_the_literal_equation() -> None:
     """K V* + M V + I phi'' + J phi' of one flywheel, (8), is L times its wrench; the force rows and the moment rows."""
     terms = flywheel.literal(W, carrier.V)
     M = Phi(carrier.V) * terms.K + terms.K_dot
-    equation = terms.K * flywheel.V_dot + M * carrier.V + terms.I * flywheel.phi_ddot + terms.J * W.phi_dot
+    equation = terms.K * V_DOT + M * carrier.V + terms.I * PHI_DDOT + terms.J * W.phi_dot
     weight = (W.m * G).col_join(cross(W.m * W.O) * G)
     N = turned_axes()
     moment = N * W.b

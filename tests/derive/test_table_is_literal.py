@@ -12,7 +12,7 @@ from formulas import derive_all
 
 from derive import table
 from derive.exact import circle, remainders, rotation, trigonometric
-from mahovik.core.derive import accumulate, carrier, flywheel
+from mahovik.core.derive import accumulate, carrier, carrying, flywheel
 from mahovik.core.derive.screw import Phi, T, Theta, bracket, elementary, from_six, six_of, symmetric, vector
 from mahovik.core.formula.derived import FILE
 
@@ -93,7 +93,7 @@ def test_inertia_about_the_origin_from_central() -> None:
     """J about the origin: Theta(m, 0, J) carried by T(rc), with b = m rc."""
     rc, J = vector("rc"), symmetric("J")
     moved = T(rc) * Theta(W.m, sp.zeros(3, 1), J) * T(rc).T
-    named = flywheel.central_to_origin(W.m, W.m * rc, J)
+    named = carrying.central_to_origin().xreplace(dict(zip(vector("b"), W.m * rc, strict=True)))
     assert remainders(six_of(moved[3:, 3:]) - named) == []
     assert remainders(moved - Theta(W.m, W.m * rc, from_six(named))) == []
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mahovik.core.derive import flywheel
-from mahovik.core.derive.screw import cross, elementary, matrix, symmetric, vector
+from mahovik.core.derive.screw import cross, elementary, matrix, six_of, symmetric, vector
 
 
 def harmonics() -> dict[str, flywheel.Inertia]:
@@ -32,8 +32,8 @@ def spin_momentum() -> sp.Matrix:
 
 
 def central_to_origin() -> sp.Matrix:
-    """Inertia about the body's origin from J about its centre of mass rc: J - <b><rc>."""
-    return flywheel.central_to_origin(sp.Symbol("m"), vector("b"), symmetric("J"))
+    """Inertia about the body's origin from J about its centre of mass rc = b / m: J - <b><rc>, without a division."""
+    return six_of(symmetric("J") - cross(vector("b")) * cross(vector("rc")))
 
 
 def mounting_axes() -> tuple[sp.Matrix, sp.Matrix]:

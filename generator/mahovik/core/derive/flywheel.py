@@ -75,22 +75,6 @@ def literal(w: Generic, V: sp.Matrix) -> Literal:
     )
 
 
-V_dot = vector("v_dot").col_join(vector("omega_dot"))
-phi_ddot = sp.Symbol("phi_ddot")
-
-
-def literal_torque(w: Generic, V: sp.Matrix) -> sp.Matrix:
-    """Theta_s V_s* + Phi(V_s) Z_s, the wrench that accelerates a flywheel, in its own frame; row 3 is the torque.
-
-    V_s = L^T V + f phi', V_s* = L^T V* - phi' [<e>] L^T V + f phi''.
-    """
-    Ls = L(w.O, w.R * elementary(1, w.phi))
-    Theta_s = Theta(w.m, w.b, w.J)
-    V_s = Ls.T * V + f * w.phi_dot
-    V_s_dot = Ls.T * V_dot - w.phi_dot * e_bracket() * Ls.T * V + f * phi_ddot
-    return Theta_s * V_s_dot + Phi(V_s) * Theta_s * V_s
-
-
 def harmonics(expression: sp.Expr, phi: sp.Symbol) -> dict[str, sp.Expr]:
     """Coefficients of a Fourier polynomial of second order in phi, by HARMONICS. Exact.
 
@@ -168,12 +152,3 @@ def spin_momentum(b: sp.Matrix, J: sp.Matrix, O: sp.Matrix) -> sp.Matrix:
     """
     axis = vector("axis")
     return (T(O) * Theta(sp.S.Zero, b, J) * sp.Matrix([0, 0, 0, *axis]))[3:, :]
-
-
-def central_to_origin(m: sp.Expr, b: sp.Matrix, J: sp.Matrix) -> sp.Matrix:
-    """Inertia about the frame's origin from that about the centre of mass: Theta(m, 0, J) shifted by rc = b / m.
-
-    Written with b and rc, so that no division is needed: J - <b><rc>.
-    """
-    rc = vector("rc")
-    return six_of(J - cross(b) * cross(rc))

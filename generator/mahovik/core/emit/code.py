@@ -127,9 +127,7 @@ class Code:
 
     def public_declarations(self, functions: Iterable[Function]) -> list[dict[str, Any]]:
         """Contract and prototype of public functions."""
-        return [
-            {"comment": contract(f, self.names, self.program), "prototype": prototype(f, self.names)} for f in functions
-        ]
+        return [{"comment": contract(f, self.program), "prototype": prototype(f, self.names)} for f in functions]
 
     @cached_property
     def functions(self) -> list[dict[str, Any]]:

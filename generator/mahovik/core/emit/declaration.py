@@ -71,7 +71,7 @@ def _argument(a: Argument, names: Names, restrictable: bool) -> str:
     return f"{const}{names.type(a.type)} {star}{a.name}{sizes}"
 
 
-def contract(function: Function, names: Names, program: Program) -> list[str]:
+def contract(function: Function, program: Program) -> list[str]:
     """The comment above a public prototype: purpose, equation, arguments, statuses, cost, stack."""
     lines = paragraph(f"{function.name}: {purpose_with_number(function)}", "/* ", " * ")
     width = max((len(_shape_text(a)) for a in function.arguments), default=0)

@@ -140,7 +140,7 @@ class ControlDerivatives(BodyLaw):
         return bool(self.terms)
 
     @classmethod
-    def of_table(cls, table: Any, **more: Any) -> Self:
+    def of_table(cls, table: Table, **more: object) -> Self:
         """The derivatives that are not zero, and the constant of the race, where one of them has a race."""
         law = super().of_table(table, **more)
         terms = tuple(term for term in law.terms if term.value)
@@ -194,7 +194,7 @@ class ControlDerivatives(BodyLaw):
         return cls(tuple(terms), draw.uniform(1e-5, 1e-3) if _races(terms) else 0.0)
 
 
-def _races(terms: Iterable[Any]) -> bool:
+def _races(terms: Iterable[ControlDerivative]) -> bool:
     """Whether any has a race."""
     return any(isinstance(f, Control) and f.what == "race" for term in terms for f in term.of)
 

@@ -113,7 +113,7 @@ class Damping(BodyLaw):
         return {name: rows for name, rows in result.items() if rows is not None}
 
     @classmethod
-    def of_table(cls, table: Any, **more: Any) -> Self:
+    def of_table(cls, table: Any, **more: object) -> Self:
         """The damping, without derivatives that are zero."""
         damping = super().of_table(table, contains_products=table.derivatives, **more)
         return replace(damping, terms=tuple(term for term in damping.terms if term.value))

@@ -100,7 +100,7 @@ class Fin(Declared):
     keys: ClassVar[type[Table]] = FinTable
 
     @classmethod
-    def of_table(cls, table: Any, **more: Any) -> Self:
+    def of_table(cls, table: Table, **more: object) -> Self:
         """The fin; without `lift_slope` and `induced` those of its aspect ratio."""
         return super().of_table(table, lift_slope=_slope(table), induced=_induced_drag(table), **more)
 

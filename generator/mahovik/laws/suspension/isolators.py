@@ -35,7 +35,7 @@ from mahovik.core.stand.hold import TWIST_NAMES, twists
 from mahovik.core.stand.masses import cross
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.core.stand.model import Sequence as AngleSequence
-from mahovik.core.stand.tables import Default
+from mahovik.core.stand.tables import Default, QuantityValidator
 from mahovik.core.stand.units import Dimension, QuantityError
 
 Rows = list[list[float]]
@@ -47,7 +47,7 @@ _AXES = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
 """Axes that psi, theta, phi turn about."""
 
 
-def _along_axes(dimension: Dimension) -> Any:
+def _along_axes(dimension: Dimension) -> QuantityValidator:
     """A validator of three numbers of at least zero."""
 
     def read(raw: object) -> tuple[float, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, ClassVar, Self
 
 from mahovik.core.stand.declare import (
     AS_MATRIX,
@@ -22,7 +22,7 @@ from mahovik.core.stand.declare import (
 from mahovik.core.stand.fields import LINEAR, ZERO3, Angle3, Length3, matrix, validator
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Mat6, Stand
-from mahovik.core.stand.tables import Blocks, Default
+from mahovik.core.stand.tables import Blocks, Default, Table
 from mahovik.core.stand.units import Dimension, QuantityError, show
 from mahovik.laws.suspension.isolators import Isolator, summed
 
@@ -93,7 +93,7 @@ class Suspension(CarrierLaw):
         return {"suspension": {key: x for key, x in numbers.items() if key not in sources} or None}
 
     @classmethod
-    def of_parts(cls, stand: Stand, raw: Any, tables: dict[str, list[Any]], note: Note) -> Stand:
+    def of_parts(cls, stand: Stand, raw: dict[str, object] | None, tables: dict[str, list[Table]], note: Note) -> Stand:
         """The stand on the suspension that its isolators make; `raw`: the keys of [suspension] in the file."""
         isolators = tuple(map(Isolator.of_table, tables["isolator"]))
         beside = [key for key in raw or {} if key != "preload"]
