@@ -13,7 +13,7 @@ from hypothesis import given
 from mahovik.contract.limits import DOUBLE, LIMITS
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.emit.manifest import manifest
+from mahovik.core.emit.manifest import as_text, manifest
 from mahovik.core.stand import Stand, dumps, load, loads
 from mahovik.proof.second.reading import differences
 from mahovik.proof.verify.files import check_file, check_options, check_texts
@@ -150,7 +150,7 @@ def test_text_that_differs_is_named_with_its_functions(tmp_path: Path) -> None:
     assert row("0.0 ->  0.0 ")[1].count(" and ") >= 1  # more than are listed are counted
     other = files["demo3.c"].replace("motion of", "motion, of")
     listed = json.loads(manifest(DEMO, "double", files | {"demo3.c": other})) | {"generator": "mahovik 0.0.1"}
-    words = row(**{"demo3.c": other, "manifest.json": json.dumps(listed)})[1]
+    words = row(**{"demo3.c": other, "manifest.json": as_text(listed)})[1]
     assert words == "of mahovik 0.0.1: demo3.c outside of functions"
     words = row(**{"demo3.h": files["demo3.h"].replace("DEMO3_LARGEST            1", "DEMO3_LARGEST            2")})[1]
     assert "within (internal, of forward, " in words and "; demo3.h outside of functions; demo3.h, line " in words
@@ -175,6 +175,12 @@ def test_every_listed_file_is_seen_and_what_nothing_judges_must_be_as_generated(
     text, batch, encoders = rows()
     assert text.startswith("not compared edited by hand after mahovik")
     assert "wrote it: speed_of_counts_float; README.md; mahovik_encoder.c, line " in text
+    encoder.write_text(delivery(DEMO, additions=("batch", "encoder"))[encoder.name], newline="\n")
+    origin = tmp_path / "manifest.json"
+    assert "README.md, line " in rows()[0]
+    page.write_text(page.read_text()[:-1])
+    origin.write_text(origin.read_text().replace('"real": "double"', '"real": "float"'))
+    assert rows()[0].endswith('manifest.json, line 7: found `"real": "float",`, expected `"real": "double",`')
     assert batch == "FAILED demo3_batch.h is missing: generate the batch C again"
     again = "generate the encoder C again"
     assert encoders == f"FAILED mahovik_encoder.c is not what this version generates: {again}"

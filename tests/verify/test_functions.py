@@ -167,6 +167,11 @@ SMALL = [
     ),
     ("state_from_coordinates", "generalized", "< DEMO3_EPS_ATTITUDE", "< 1.0e-7", "SINGULAR_ATTITUDE at its bound"),
     ("inverse", "excessive", r"> options->most\[s\]", "> 1.0001 * options->most[s]", "EXCESSIVE at its bound"),
+    ("inverse", "excessive", r" \|\| options->motor_speed\[s\] < DEMO3_LARGEST", "", "EXCESSIVE at its bound"),
+    ("inverse", "motor_lacks", r"ratio > 3.0\) \? 3.0", "ratio > 2.0) ? 2.0", "EXCESSIVE at its bound"),
+    ("inverse_fast", "inverse_fast", r"DEMO3_EPS_PIVOT", "1.0e-9", "NOT_POSITIVE_DEFINITE at its bound"),
+    ("prepare", "check_parameters", r"DEMO3_MAX_INERTIA", "1.0e40", "impossible bodies"),
+    ("step", "finish", r"(x->attitude\[3\] =.*) \* inverse;", r"\1;", "attitude of unit length"),
     (
         "inverse",
         "inverse",
@@ -187,17 +192,24 @@ def test_a_fault_at_a_bound_is_noticed(
 
 
 CHECKS = [
-    ("step", r"!\(dt > 0\.0\)", "!(dt >= 0.0)"),
-    ("check_body", r"status != DEMO3_OK", "status == DEMO3_NOT_FINITE"),
+    ("demo3", "step", r"!\(dt > 0\.0\)", "!(dt >= 0.0)"),
+    ("demo3", "check_body", r"status != DEMO3_OK", "status == DEMO3_NOT_FINITE"),
+    ("demo3", "inverse", r"DEMO3_MIN_WEIGHT", "1.0e-5"),
+    ("demo3", "check_numbers", r"DEMO3_MAX_NORM2", "1.004001"),
+    ("auv6", "check_body", r"if \(body->displaced_mass < 0\.0\)", "if (0)"),
 ]
-"""Function of the text, the check that is weakened there, and how. Without a check of null the call would crash."""
+"""Stand, function of its text, the check that is changed there, and how. Without a check of null a call would crash."""
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("place", "pattern", "wrong"), CHECKS, ids=[place for place, _, _ in CHECKS])
-def test_a_check_that_is_missing_is_noticed(place: str, pattern: str, wrong: str, tmp_path: Path) -> None:
-    backend = CBackend(example("demo3"), folder=planted("demo3", tmp_path, place, pattern, wrong))
-    states = draw(example("demo3"), 3, 4)
+@pytest.mark.parametrize(
+    ("name", "place", "pattern", "wrong"), CHECKS, ids=[f"{name} {place}" for name, place, *_ in CHECKS]
+)
+def test_a_check_that_is_missing_or_moved_is_noticed(
+    name: str, place: str, pattern: str, wrong: str, tmp_path: Path
+) -> None:
+    backend = CBackend(example(name), folder=planted(name, tmp_path, place, pattern, wrong))
+    states = draw(example(name), 3, 4)
     row = check_refusals(backend.program, good_inputs(backend, states), raw_call(backend))
     assert row.verdict == "FAILED"
 

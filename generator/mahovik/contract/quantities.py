@@ -77,6 +77,7 @@ class Quantity:
     shared    whether all states of a batch have it in common; otherwise each state has its own
     input     whether a line of `eval` may contain it
     invalid   values within the bounds, or without any, that are refused nevertheless, with the status
+    edges     values nearest to these: just refused, with the same status, or (False) just not
     infinite  whether infinity is a value, "no limit"
     struct    the struct type of a table of numbers of the stand, and `default`: the constant of the C that holds it
     """
@@ -94,6 +95,7 @@ class Quantity:
     shared: bool = False
     input: bool = False
     invalid: tuple[tuple[float, str], ...] = ()
+    edges: tuple[tuple[float, bool], ...] = ()
     infinite: bool = False
     struct: str = ""
     default: str = ""
@@ -112,6 +114,10 @@ def _bad_arguments(*values: float) -> tuple[tuple[float, str], ...]:
     return tuple((value, "BAD_ARGUMENT") for value in values)
 
 
+_ABOVE_ZERO, _FROM_ZERO = ((1e-30, False),), ((-1e-30, True), (0.0, False))
+"""Edges of what must be above zero, of what may be zero."""
+
+
 def _option(symbol: str, unit: str, least: float, *bad: float) -> Quantity:
     """A number of each flywheel that may be infinite, and that tests draw from `least` upwards."""
     return Quantity(
@@ -122,6 +128,7 @@ def _option(symbol: str, unit: str, least: float, *bad: float) -> Quantity:
         largest_drawn=least,
         draw=Draw.POWER,
         invalid=_bad_arguments(*bad),
+        edges=_ABOVE_ZERO if 0.0 in bad else _FROM_ZERO,
         infinite=True,
     )
 
@@ -129,7 +136,8 @@ def _option(symbol: str, unit: str, least: float, *bad: float) -> Quantity:
 def _share(symbol: str) -> Quantity:
     """A part of the largest singular value."""
     bad = _bad_arguments(-0.1, 1.5)
-    return Quantity(symbol, "", "part of the largest singular value", "", draw=Draw.SHARE, invalid=bad)
+    edges = (*_FROM_ZERO, (1.0, False), (1.0 + 1e-6, True))
+    return Quantity(symbol, "", "part of the largest singular value", "", draw=Draw.SHARE, invalid=bad, edges=edges)
 
 
 QUANTITIES = {
@@ -212,6 +220,7 @@ QUANTITIES = {
             largest_drawn=2.0**-10,
             draw=Draw.POWER,
             invalid=tuple((bad, "RANGE") for bad in (0.0, -1.0, 1e-7)),
+            edges=((1e-6 - 1e-12, True), (1e-6 + 1e-12, False)),
         ),
         _option("limit", "rad/s2", 1.0, 0.0, -1.0),
         _option("most", "rad/s2", 1.0, 0.0, -1.0),
@@ -228,7 +237,10 @@ QUANTITIES = {
         Quantity("avoid_speed", "rad/s", "", "", draw=Draw.SHARE, invalid=_bad_arguments(-1.0)),
         _share("near_singular"),
         _share("damping"),
-        Quantity("mass", "kg", "a body", "", invalid=((-1.0, "RANGE"),)),
+        *(
+            Quantity(name, "kg", "a body", "", invalid=((-1.0, "RANGE"),), edges=_FROM_ZERO)
+            for name in ("mass", "displaced_mass")
+        ),
         # what a step keeps for the next, in a carry
         Quantity("rounding", "SI", "numbers of the state", "", ("MAX_ROUNDING",), 1e-6, 2.0**-24),
     )

@@ -7,6 +7,7 @@ a folder is not what this version generates, with the functions concerned. Line 
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from itertools import zip_longest
@@ -17,12 +18,13 @@ import numpy as np
 
 from mahovik import __version__
 from mahovik.contract.limits import DOUBLE, Limits
-from mahovik.core.emit.delivered import files_beside, has_hash, manifest_there
+from mahovik.core.emit.delivered import delivered_options, files_beside, has_hash, manifest_there
 from mahovik.core.emit.delivery import ADDITIONS
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.manifest import NAME as MANIFEST
-from mahovik.core.emit.manifest import spans
+from mahovik.core.emit.manifest import as_text, digest, spans, with_manifest
 from mahovik.core.emit.names import VERIFICATION
+from mahovik.core.emit.readme import readme
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MahovikError
 from mahovik.proof.second.reading import Table, UnknownUnitError, default_options, differences
@@ -98,6 +100,8 @@ def check_texts(stand: Stand, generated: Generated, folder: Path) -> list[Check]
     there = [name for name in (*UNJUDGED, "recorder") if {f"{stand.name}_{name}", f"mahovik_{name}"} & stems]
     added = {name: ADDITIONS[name](stand, generated) for name in there}
     expected = dict(item for files in (generated.files, *added.values()) for item in files.items())
+    if (origin := manifest_there(folder)) is not None:
+        expected |= _beside_c(stand, generated, folder, origin)
     rows = [text_row(folder, f"(?:{stand.name}|mahovik)", expected)]
     for name in UNJUDGED:
         row = Check("", f"{name} C = as generated")
@@ -107,6 +111,16 @@ def check_texts(stand: Stand, generated: Generated, folder: Path) -> list[Check]
             row.demand(present == text, "", f"{file} is {words}: generate the {name} C again")
         rows += [row] if row.states else []
     return rows
+
+
+def _beside_c(stand: Stand, generated: Generated, folder: Path, origin: Mapping[str, Any]) -> dict[str, str]:
+    """The manifest with the facts that are due, and the README of these additions, if it is that of the manifest."""
+    facts = json.loads(with_manifest(stand, generated, {})[MANIFEST])
+    due = {key: facts[key] for key in origin.keys() & facts.keys() - {"generator", "files"}}
+    options = delivered_options(folder)
+    page = readme(stand, generated, () if options is None else options.additions)
+    pages = {"README.md": page} if origin["files"].get("README.md") == digest(page) else {}
+    return {**pages, MANIFEST: as_text({**origin, **due})}
 
 
 def text_row(folder: Path, name: str, expected: Mapping[str, str], manifest: str = MANIFEST) -> Check:

@@ -1,6 +1,7 @@
-"""Inputs that every function must refuse, one wrong value at a time, with its outputs untouched.
+"""Inputs at the bounds of every function: refused just outside, with its outputs untouched, and taken just inside.
 
-What is wrong with which argument is data of the contract: bounds, and values that are refused (`contract/quantities`).
+What is wrong with which argument is data of the contract: bounds, and values that are refused or taken
+(`contract/quantities`). One value at a time is changed.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.functions import TURNS, row_of
-from mahovik.contract.quantities import BOUNDS, EXPORTED, QUANTITIES, TABLES, UNIT_LENGTH
+from mahovik.contract.quantities import BOUNDS, EXPORTED, QUANTITIES, TABLES, UNIT_LENGTH, Draw
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Struct
@@ -39,32 +40,41 @@ Numbers = Mapping[str, tuple[float, ...]]
 
 NOTHING: Numbers = {}
 
+BY_OTHERS = ("axis", "zero", "position")
+"""Parameters that others bound as well: a direction must not be along the other, nor a body too far for its mass."""
+
 UNWRITTEN = 165.65625
 """What results hold before a call that must not write them, of integers its whole part: no number that a stand has."""
 
 BEYOND = 1 + 1e-6
-"""Times its bound: a value out of range."""
+"""Times its bound: a value out of range; and its inverse: one in it."""
+
+LENGTHS = {1 + sign * part * UNIT_LENGTH: part > 1 for part in (1.01, 0.99) for sign in (1, -1)}
+"""Lengths in the place of 1 just out of range, and just in it: whether they are wrong."""
 
 
 @dataclass(frozen=True)
 class WrongValue:
-    """One wrong value: where it stands, and the status that is due."""
+    """One value at a bound: where it stands, and the status that is due, or that is not of one just inside."""
 
     path: Path
     value: Any
     status: str
+    is_wrong: bool = True
 
     @property
     def words(self) -> str:
         """The place and the value, `V[3] = nan`."""
         names = [part for part in self.path if isinstance(part, str)]
         index = "".join(f"[{part}]" for part in self.path if isinstance(part, int))
-        value = "null" if self.value is NULL else f"{self.value:g}" if isinstance(self.value, float | int) else "scaled"
+        value = "null" if self.value is NULL else f"{self.value:.9g}"
         return f"{'.'.join(names)}{index} = {value}"
 
 
 def check_refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> Check:
-    """Check that every public function refuses one wrong value at a time. `inputs`: good ones, by argument name.
+    """Check that every public function refuses one wrong value at a time, and none within its bounds.
+
+    `inputs`: good ones, by argument name.
 
     A function that is not tried at all fails.
     """
@@ -81,31 +91,38 @@ def check_refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> C
 
 
 def demand_refusals(check: Check, name: str, good: Mapping[str, Any], wrong: Iterable[WrongValue], call: Call) -> None:
-    """Count calls of a function with good inputs but one wrong value: it is due a status, and no output is written."""
+    """Count calls of a function with good inputs but one value at a bound.
+
+    Outside a status is due, and no output is written; inside any other is right.
+    """
     for bad in wrong:
         status, untouched = call(name, with_value(good, bad))
-        right = status == STATUS_VALUES[bad.status]
-        off = f"status {status_words(status)}, expected {bad.status}"
+        right = (status == STATUS_VALUES[bad.status]) == bad.is_wrong
+        off = f"status {status_words(status)}, {'' if bad.is_wrong else 'not '}expected {bad.status}"
         words = "refused, but outputs were written" if right else off
-        check.demand(right and untouched, f"{name}: {bad.words}", words)
+        check.demand(right and (untouched or not bad.is_wrong), f"{name}: {bad.words}", words)
 
 
 def wrong_values(function: Function, good: Mapping[str, Any], real: str) -> Iterator[WrongValue]:
-    """All wrong values of the arguments of a function, one at a time."""
-    ignored = row_of(function.name).ignores
+    """All wrong values of the arguments of a function, one at a time, and those just inside.
+
+    A step has none of these: it refuses a motion that leaves the ranges on its way.
+    """
+    ignored, may_leave = row_of(function.name).ignores, function.name.startswith("step")
     for a in function.arguments:
         pointer = bool(a.shape) or isinstance(a.type, Struct) or a.direction != "in"
         if pointer and (not a.optional or a.name in TURNS):  # sines without cosines are none
             yield WrongValue((a.name,), NULL, "BAD_ARGUMENT")
         trusted = isinstance(a.type, Struct) and a.type.name in TABLES and a.type.name not in READ_TABLES
         if a.direction != "out" and a.name in good and not trusted:
-            yield from wrong_within(good[a.name], (a.name,), real, ignored)
+            at_bounds = wrong_within(good[a.name], (a.name,), real, ignored)
+            yield from (bad for bad in at_bounds if bad.is_wrong or not may_leave)
 
 
 def wrong_within(
     value: Any, path: Path, real: str, unchecked: Collection[str] = (), beyond: Numbers = NOTHING
 ) -> Iterator[WrongValue]:
-    """Wrong values of the numbers of nested data, of each those of its row in the contract; of whole numbers ints.
+    """Values at the bounds of the numbers of nested data, each by its row in the contract; of whole numbers ints.
 
     `unchecked`: arguments and members that no function checks; `beyond`: values just out of range besides, by name.
     NaN is what is only written.
@@ -114,14 +131,12 @@ def wrong_within(
     if symbol in unchecked:
         return
     if isinstance(value, Mapping) or np.ndim(value) > 0:
-        if symbol == "attitude" and len(path) > 1:
-            longer, shorter = (np.multiply(value, 1 + sign * 10 * UNIT_LENGTH).tolist() for sign in (1, -1))
-            yield from (WrongValue(path, attitude, "RANGE") for attitude in (longer, shorter))
         for key, item in value.items() if isinstance(value, Mapping) else enumerate(value):
             yield from wrong_within(item, (*path, key), real, unchecked, beyond)
     elif (is_whole := isinstance(value, int)) or not math.isnan(value):
-        wrong = wrong_numbers(symbol, not is_whole, limit_at(symbol, path, real), path[0] == "parameters")
-        yield from (WrongValue(path, number, status) for number, status in wrong)
+        limit, of_parameters = limit_at(symbol, path, real), path[0] == "parameters"
+        wrong = wrong_numbers(symbol, value, not is_whole, limit, of_parameters)
+        yield from (WrongValue(path, *number) for number in wrong)
         status = "BAD_ARGUMENT" if is_whole else "RANGE"
         yield from (WrongValue(path, number, status) for number in beyond.get(symbol, ()))
 
@@ -137,21 +152,26 @@ def limit_at(symbol: str, path: Path, real: str) -> float | None:
 
 
 def wrong_numbers(
-    symbol: str, is_real: bool, limit: float | None, of_parameters: bool = False
-) -> Iterator[tuple[float, str]]:
-    """Wrong values of one number of a quantity, with the statuses that are due."""
+    symbol: str, value: float, is_real: bool, limit: float | None, of_parameters: bool = False
+) -> Iterator[tuple[float, str, bool]]:
+    """Values at the bounds of one number of a quantity, the statuses of what is outside, whether they are outside."""
     row = QUANTITIES.get(symbol) or EXPORTED.get(symbol)
     if is_real:
-        yield math.nan, "NOT_FINITE"
-        if row is None or not row.infinite:
-            yield math.inf, "NOT_FINITE"
-            yield -math.inf, "NOT_FINITE"
-        if limit is not None:
-            yield limit * BEYOND, "RANGE"
-            if row is None or all(value >= 0 for value, _ in row.invalid):
-                yield -limit * BEYOND, "RANGE"
-    if row is not None and (not of_parameters or symbol == "mass"):
-        yield from row.invalid
+        infinite = () if row is not None and row.infinite else (math.inf, -math.inf)
+        yield from ((number, "NOT_FINITE", True) for number in (math.nan, *infinite))
+    if is_real and limit is not None:
+        one_sided = row is not None and any(number < 0 for number, _ in row.invalid)
+        for number in (limit,) if one_sided else (limit, -limit):
+            yield number * BEYOND, "RANGE", True
+            if not (of_parameters and symbol in BY_OTHERS):
+                yield number / BEYOND, "RANGE", False
+    if row is None or (of_parameters and row.axes != "a body"):
+        return
+    if row.draw in (Draw.ATTITUDE, Draw.TURNS):  # the other numbers stay
+        squares = ((value**2 + length**2 - 1.0, is_wrong) for length, is_wrong in LENGTHS.items())
+        yield from ((math.sqrt(square), "RANGE", is_wrong) for square, is_wrong in squares if square >= 0.0)
+    yield from ((number, status, True) for number, status in row.invalid)
+    yield from ((number, row.invalid[0][1], is_wrong) for number, is_wrong in row.edges)
 
 
 def with_value(good: Mapping[str, Any], wrong: WrongValue) -> dict[str, Any]:

@@ -266,10 +266,12 @@ def _judge_coarse(case: Case, rows: Rows) -> None:
             arguments: dict[str, Any] = case.backend.arguments(state)
             arguments |= {"dt": float(BOUNDS[f"MAX_TURN_{order}"].value) / fastest * part, "order": order}
             arguments |= {"x": arguments["x"] | ({"phi_dot": tuple(speeds)} if case.count else {})}
-            status, _ = case.backend.call(rows.function, arguments)
+            status, results = case.backend.call(rows.function, arguments)
             if status < 0:  # a stage of a long step may be out of range, and dt itself
                 continue
             count[order, side, still] += 1
+            length = float(np.linalg.norm(results["next"]["attitude"]))
+            rows.check("attitude of unit length", "value").note(abs(length - 1.0), name)
             right = status == STATUS_VALUES["COARSE" if side > 0 else "OK"]
             check.demand(right, name, f"status {status_words(status)} at {part:g} of the bound of order {order}")
     missing = [f"order {order}" for (order, side, _), answers in count.items() if side > 0 and not answers]

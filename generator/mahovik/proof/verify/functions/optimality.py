@@ -9,8 +9,8 @@ sides of its bound, where one number that decides it was drawn for that.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, replace
 from typing import Any, cast
 
 import numpy as np
@@ -20,7 +20,7 @@ from mahovik.contract.functions import task_of as task_name_of
 from mahovik.contract.status import status_bits, status_words
 from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.lower.values import parameters_of
-from mahovik.core.stand.fields import Mat3, Vec6
+from mahovik.core.stand.fields import Vec6
 from mahovik.core.stand.model import COMPONENTS, Stand, State
 from mahovik.core.stand.motor import Motor
 from mahovik.errors import StateError
@@ -258,22 +258,32 @@ COPIED = ("mount", "position", "mounting", "mass", "center_of_mass", "inertia", 
 """Numbers in which a copy of a flywheel is like it."""
 
 
+def _copies(stand: Stand, rank: int) -> tuple[Stand, list[int]]:
+    """The stand with all flywheels but `rank` as copies of these, and of which flywheel each is one."""
+    like = [k % rank for k in range(len(stand.flywheels))]
+    numbers = ({key: getattr(stand.flywheels[k], key) for key in COPIED} for k in like)
+    wheels = (replace(wheel, **copied) for wheel, copied in zip(stand.flywheels, numbers, strict=True))
+    return replace(stand, flywheels=tuple(wheels)), like
+
+
+def _moved_alike(state: State, like: Sequence[int]) -> State:
+    """The state with the motion of each flywheel that of another."""
+    moved: dict[str, Any] = {key: tuple(getattr(state, key)[k] for k in like) for key in ("phi", "phi_dot")}
+    return replace(state, **moved)
+
+
 def _judge_copies(case: Case, rows: Rows) -> None:
     """Answers where the rank is deficient: all flywheels but too few are copies of these, with their motion."""
-    wheels, some = case.stand.flywheels, case.states[:1]
+    some = case.states[:1]
     rank = min(case.count, case.scales.at(some[0][1]).S.shape[1] if some else 0) - 1
     if rank < 1:
         return
-    like = [k % rank for k in range(case.count)]
-    numbers = ({key: getattr(wheels[k], key) for key in COPIED} for k in like)
-    copies = tuple(replace(wheel, **copied) for wheel, copied in zip(wheels, numbers, strict=True))
-    stand = replace(case.stand, flywheels=copies)
+    stand, like = _copies(case.stand, rank)
     parameters = parameters_of(stand, case.backend.layout)
     table = case.call("prepare", {"parameters": parameters, "table": case.backend.table()})["table"]
     judged, check = Rows(case.limits, Scales(stand, case.real), "inverse"), rows.check("of deficient rank", "value")
     for name, state in some:
-        moved: dict[str, Any] = {key: tuple(getattr(state, key)[k] for k in like) for key in ("phi", "phi_dot")}
-        request = Request(name, replace(state, **moved), ("inverse",))
+        request = Request(name, _moved_alike(state, like), ("inverse",))
         answer = case.backend.answer("inverse", request.state, case.backend.arguments(request.state) | {"table": table})
         judged.compare_want(request, answer)
         check.demand("RANK_DEFICIENT" in answer["status"], name, f"status {answer['status']}")
@@ -504,7 +514,7 @@ def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) ->
     friction = {
         "motor_viscous": 0.3 * np.abs(tau) / reach * rng.uniform(0.5, 2.0, N),
         "motor_coulomb": 0.5 * np.abs(tau) * rng.uniform(0.5, 2.0, N),
-        "motor_coulomb_speed": reach * rng.uniform(0.2, 5.0, N),
+        "motor_coulomb_speed": reach / rng.uniform(0.2, 5.0, N),  # most near the speed where it has all of its friction
     }
     speed = {"motor_speed": reach * rng.uniform(1.5, 3.0, N)}
     kinds: dict[str, dict[str, Any]] = {"torque": {}, "friction": friction, "speed": speed, "both": friction | speed}
@@ -520,6 +530,11 @@ def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) ->
             if kind == "friction" and _CURVE[0] in options:
                 lower = _curve_through(case, at.phi_dot, torques)
                 result[edge.replace(kind, "curve")] = part < 1.0, motors | lower
+    if at.phi_dot[s] and abs(tau[s]) > NO_TORQUE * turning[s]:
+        for part in SIDES[case.real]:  # driving, a motor has no torque beyond its speed, whatever it has at rest
+            speeds = np.where(np.arange(N) == s, part * np.abs(at.phi_dot), case.none)
+            due = part < 1.0 and bool(tau[s] * at.phi_dot[s] > 0.0)
+            result[f"EXCESSIVE of flywheel {s + 1} by speed alone at {part:g}"] = due, {"motor_speed": speeds}
     return result
 
 
@@ -565,23 +580,34 @@ def _demanding(case: Case, state: State, change: Array) -> State:
 
 
 def _at_the_edge_of_rank(case: Case, fast: bool, plain: Question) -> Iterator[Question]:
-    """Stands whose flywheels are so small beside one of them that RANK_DEFICIENT, or a refusal, is just due.
+    """Stands whose flywheels are so nearly copies of too few of them that RANK_DEFICIENT, or a refusal, is just due.
 
-    The first singular value is that of the one, the others fall with the roots of the masses of the small ones.
+    The copies are turned a little away from these: the least singular value falls with the angle.
     """
-    wheels, threshold = case.stand.flywheels, THRESHOLDS[case.real]
-    large = int(case.random(900).integers(len(wheels)))
+    rows = len(plain.scaled(case.stand, case.scales.at(plain.state)).r)
+    rank, threshold, rng = min(case.count, rows) - 1, THRESHOLDS[case.real], case.random(900)
+    if rank < 1:
+        return
     bit, least = ("NOT_POSITIVE_DEFINITE", threshold.gram_pivot) if fast else ("RANK_DEFICIENT", threshold.rank)
+    copies, like = _copies(case.stand, rank)
+    state = _moved_alike(plain.state, like)
+    turns = [
+        {f.name: rng.normal(size=np.shape(getattr(wheel.mounting, f.name))) for f in fields(wheel.mounting)}
+        for wheel in copies.flywheels
+    ]
 
-    def smaller(part: float) -> Stand:
-        inertias = (cast(Mat3, tuple(tuple(x * part for x in row) for row in s.inertia)) for s in wheels)
-        shrunk = [replace(s, mass=s.mass * part, inertia=J) for s, J in zip(wheels, inertias, strict=True)]
-        return replace(case.stand, flywheels=(*shrunk[:large], wheels[large], *shrunk[large + 1 :]))
+    def turned(part: float) -> Stand:
+        wheels = list(copies.flywheels)
+        for k in range(rank, case.count):
+            mounting = wheels[k].mounting
+            near: Any = {name: np.add(getattr(mounting, name), part * turn).tolist() for name, turn in turns[k].items()}
+            wheels[k] = replace(wheels[k], mounting=replace(mounting, **near))
+        return replace(copies, flywheels=tuple(wheels))
 
     def decisive(part: float) -> float:
         """Least singular value over the largest, or least pivot."""
-        stand = smaller(part)
-        scaled = plain.scaled(stand, pieces(stand, plain.state))
+        stand = turned(part)
+        scaled = plain.scaled(stand, pieces(stand, state))
         if fast:
             return least_pivot(normal_matrix(scaled, plain.weight, 0.0))
         sigma = np.linalg.svd(scaled.W, compute_uv=False)
@@ -594,7 +620,8 @@ def _at_the_edge_of_rank(case: Case, fast: bool, plain: Question) -> Iterator[Qu
         while high - low > 0.01:
             middle = (low + high) / 2.0
             low, high = (middle, high) if decisive(10.0**middle) < side * least else (low, middle)
-        yield replace(plain, stand=smaller(10.0**high), edge=f"{bit} at {side:g}", due=side < 1.0)
+        edge = f"{bit} at {side:g}"
+        yield replace(plain, state=state, stand=turned(10.0**high), edge=edge, due=side < 1.0)
 
 
 # Torques.

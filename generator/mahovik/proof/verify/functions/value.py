@@ -335,15 +335,20 @@ def _judge_bodies(case: Case, rows: Rows) -> None:
 def _at_the_edge_of_places(case: Case, wheel: Mapping[str, Any], part: float) -> Iterator[tuple[str, Any, str]]:
     """Numbers of a flywheel's place that are just refused and just not, with the status that is due.
 
-    `zero` as near along the axis, and a flywheel as far away as the sum of inertias allows: in double nothing is.
+    `zero` as near along the axis, and a flywheel as far away as the sum of inertias allows: in double the heaviest
+    may be anywhere.
     """
     thresholds, axis = THRESHOLDS[case.real], np.array(wheel["axis"])
     across = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
     zero = axis / np.linalg.norm(axis) + part * thresholds.parallel * across / np.linalg.norm(across)
     yield "zero along the axis", {"zero": zero}, "OK" if part > 1.0 else "RANGE"
     far = math.sqrt(part * thresholds.inertia / max(wheel["body"]["mass"], thresholds.least))
-    if far < BOUNDS["MAX_PARAMETER"].at(case.real):
+    most, body = BOUNDS["MAX_PARAMETER"].at(case.real), wheel["body"]
+    if far < most:
         yield "distance", {"position": [far, 0.0, 0.0]}, "RANGE" if part > 1.0 else "OK"
+    else:
+        heaviest = body | {"mass": most / 2.0, "center_of_mass": [0.0] * 3}
+        yield "distance of the heaviest", {"position": [most / 2.0, 0.0, 0.0], "body": heaviest}, "OK"
 
 
 def _with_other_parameters(stand: Stand, rng: np.random.Generator) -> Stand:
