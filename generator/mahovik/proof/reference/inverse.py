@@ -185,13 +185,11 @@ def normal_matrix(scaled: ScaledDemand, weight: Array, damping: float) -> Array:
 
 def least_pivot(gram: Array) -> float:
     """The least part of a diagonal element that is left of it as a pivot of gram = L D L^T."""
-    kept, left = 1.0, gram
-    for j in range(len(gram)):
-        if not left[j, j] > 0.0:
-            return 0.0
-        kept = min(kept, float(left[j, j] / gram[j, j]))
-        left = left - np.outer(left[:, j], left[j]) / left[j, j]
-    return kept
+    try:
+        pivots = np.diag(np.linalg.cholesky(gram)) ** 2
+    except np.linalg.LinAlgError:
+        return 0.0
+    return float(np.min(pivots / np.diag(gram), initial=1.0))
 
 
 # EXCESSIVE: an answer that needs more than the motors have.

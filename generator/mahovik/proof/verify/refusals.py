@@ -43,6 +43,9 @@ NOTHING: Numbers = {}
 BY_OTHERS = ("axis", "zero", "position")
 """Parameters that others bound as well: a direction must not be along the other, nor a body too far for its mass."""
 
+BY_RESULTS = ("step", "state_from_coordinates")
+"""Begins of names of functions that refuse results out of range as well: just inside, their inputs say nothing."""
+
 UNWRITTEN = 165.65625
 """What results hold before a call that must not write them, of integers its whole part: no number that a stand has."""
 
@@ -104,11 +107,8 @@ def demand_refusals(check: Check, name: str, good: Mapping[str, Any], wrong: Ite
 
 
 def wrong_values(function: Function, good: Mapping[str, Any], real: str) -> Iterator[WrongValue]:
-    """All wrong values of the arguments of a function, one at a time, and those just inside.
-
-    A step has none of these: it refuses a motion that leaves the ranges on its way.
-    """
-    ignored, may_leave = row_of(function.name).ignores, function.name.startswith("step")
+    """All wrong values of the arguments of a function, one at a time, and those just inside."""
+    ignored, may_leave = row_of(function.name).ignores, function.name.startswith(BY_RESULTS)
     for a in function.arguments:
         pointer = bool(a.shape) or isinstance(a.type, Struct) or a.direction != "in"
         if pointer and (not a.optional or a.name in TURNS):  # sines without cosines are none
