@@ -262,15 +262,15 @@ class Scales:
         A solver of least squares rounds relative to these norms, not to each element.
         """
         L, Theta, rng = np.linalg.cholesky(at.S.T @ at.K @ at.S), np.sqrt(np.diag(at.Theta_ff)), self._rng
-        felt, given = np.linalg.inv(L) @ at.S.T, np.linalg.pinv(at.S.T) @ L
+        felt, lift = np.linalg.inv(L) @ at.S.T, np.linalg.pinv(at.S.T) @ L
         W = felt @ at.I / Theta
         size = sum(float(np.linalg.norm(felt @ term)) for term in _terms(at, np.zeros(6), np.zeros(len(Theta))))
         of_I, of_F = (self._size * number for number in (float(np.linalg.norm(W)), size))
         for _ in range(PERTURBATIONS):
             R = self._size * rng.uniform(-1.0, 1.0, (len(L), len(L)))
-            I = at.I + given @ (of_I * rng.uniform(-0.4, 0.4, W.shape)) * Theta
-            F = at.F + given @ (of_F * rng.uniform(-0.4, 0.4, len(L)))
-            yield replace(at, K=at.K + given @ (R + R.T) @ given.T / 2.0, I=I, F=F)
+            I = at.I + lift @ (of_I * rng.uniform(-0.4, 0.4, W.shape)) * Theta
+            F = at.F + lift @ (of_F * rng.uniform(-0.4, 0.4, len(L)))
+            yield replace(at, K=at.K + lift @ (R + R.T) @ lift.T / 2.0, I=I, F=F)
 
 
 class Laws:

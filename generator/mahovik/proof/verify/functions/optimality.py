@@ -596,7 +596,7 @@ def _at_the_edge_of_rank(case: Case, fast: bool, plain: Question) -> Iterator[Qu
         for wheel in copies.flywheels
     ]
 
-    def turned(part: float) -> Stand:
+    def nearly_alike(part: float) -> Stand:
         wheels = list(copies.flywheels)
         for k in range(rank, case.count):
             mounting = wheels[k].mounting
@@ -606,7 +606,7 @@ def _at_the_edge_of_rank(case: Case, fast: bool, plain: Question) -> Iterator[Qu
 
     def decisive(part: float) -> float:
         """Least singular value over the largest, or least pivot."""
-        stand = turned(part)
+        stand = nearly_alike(part)
         scaled = plain.scaled(stand, pieces(stand, state))
         if fast:
             return least_pivot(normal_matrix(scaled, plain.weight, 0.0))
@@ -621,7 +621,7 @@ def _at_the_edge_of_rank(case: Case, fast: bool, plain: Question) -> Iterator[Qu
             middle = (low + high) / 2.0
             low, high = (middle, high) if decisive(10.0**middle) < side * least else (low, middle)
         edge = f"{bit} at {side:g}"
-        yield replace(plain, state=state, stand=turned(10.0**high), edge=edge, due=side < 1.0)
+        yield replace(plain, state=state, stand=nearly_alike(10.0**high), edge=edge, due=side < 1.0)
 
 
 # Torques.
