@@ -218,6 +218,44 @@ def test_the_largest_amplitude_of_a_sweep_is_the_true_one(stand: str, most: int)
     )
 
 
+PENDULUM = """
+schema = 1
+name = "pendulum"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = 4.0
+center_of_mass = [0, 0, -0.2]
+inertia = [0.25, 0.25, 0.1]
+inertia_about = "origin"
+[hold]
+freedoms = ["pitch"]
+[suspension]
+stiffness = [0, 0, 0, 0, 0, 0]
+damping = [0, 0, 0, 0, 0.006, 0]
+[[flywheel]]
+name = "w"
+position = [0, 0, 0.3]
+axis = [0, 1, 0]
+zero = [1, 0, 0]
+mass = 0.5
+spin_inertia = 0.001
+transverse_inertia = 0.0006
+unbalance = { static = "0.6 kg mm" }
+"""
+
+
+@pytest.mark.slow
+def test_a_sweep_follows_a_lightly_damped_peak_that_bends(tmp_path: Path) -> None:
+    """A pendulum with 0.2 % of damping: where the driving moment is that of damping, it swings U (r w^2 + g)/(c w)."""
+    file = tmp_path / "pendulum.toml"
+    file.write_text(PENDULUM)
+    result = command(file, speed="w=43.7..44.5rpm", at="hold.pitch", quantity="angle", steps=3)
+    largest = result["largest"]
+    w = largest["speed"]
+    assert largest["value"] == pytest.approx(0.6e-3 * (0.3 * w**2 + 9.81) / (0.006 * w), rel=0.015)
+    assert not any("no steady motion" in message for message in result.messages)
+
+
 def _norm(values: Any) -> float:
     return float(np.linalg.norm(np.nan_to_num(values), axis=1).max())
 

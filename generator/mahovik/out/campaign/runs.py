@@ -43,7 +43,8 @@ from mahovik.use.simulate.case import HINT, START_KEYS, Case, read_start
 from mahovik.use.simulate.course import FUNCTIONS, SAMPLES, Moments, motion, stand_for, together, why_refused
 from mahovik.use.simulate.held import allowed_start
 from mahovik.use.study.rest import accuracy, rest
-from mahovik.use.vibration.lines import LineName, Lines
+from mahovik.use.vibration.chain import Chain, Makers, spectrum
+from mahovik.use.vibration.lines import Lines
 from mahovik.use.vibration.speeds import read_phases, read_speeds
 from mahovik.use.vibration.steady import steady
 from mahovik.use.vibration.view import REACTION, find_view
@@ -453,10 +454,9 @@ def _steady(stand: Stand, over: SpeedsTable, quantities: Sequence[Quantity]) -> 
         motion, numbers = steady(variant, plan.speeds(0.0), phases), {}
         for q in quantities:
             view = find_view(variant, REACTION if q.at == HOLD else q.at, q.what)
-            frequency, a = motion.harmonics(view)
-            moving, seen = frequency > 0.0, np.array([q.axis in ("", axis) for axis in AXES])
-            names = (LineName("", 1.0),) * int(moving.sum())
-            lines = Lines(names, frequency[None, moving], np.where(seen, a, 0.0)[None, moving])
+            chain = Chain.of(motion.scene, view, Makers(), np.abs(motion.speeds))
+            solved, seen = spectrum(motion, chain), np.array([q.axis in ("", axis) for axis in AXES])
+            lines = Lines(solved.names, solved.frequency[None], np.where(seen, solved.amplitude, 0.0)[None])
             numbers[q.name] = getattr(lines.lengths(np.zeros((1, 3)), q.band), q.statistic)[0]
         return {name: float(number) for name, number in numbers.items()}
 

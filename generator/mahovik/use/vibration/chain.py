@@ -17,7 +17,7 @@ from mahovik.use.numeric.se3 import Array, Complex, skew
 from mahovik.use.vibration.lines import COMBINATION, MAKER, SAME, UNBALANCE, LineName, Lines, Spectrum
 from mahovik.use.vibration.maker import PARTS, PATTERNS, Harmonics, InnerModes, Noise, Structure, way_back
 from mahovik.use.vibration.plant import Plant, Scene
-from mahovik.use.vibration.steady import SLOW, Steady, rounding_rates, rounding_wrench, steady
+from mahovik.use.vibration.steady import SLOW, Steady, rounding_rates, rounding_wrench
 from mahovik.use.vibration.torus import Whole
 from mahovik.use.vibration.view import LinearMotion, LoadView, Observable, View
 
@@ -374,9 +374,9 @@ WRENCH_ROUNDING = 1e-13
 """Part of a mount's largest wrench below which a harmonic of it drives nothing: a mode without damping would ring."""
 
 
-def spectrum(scene: Scene, chain: Chain, speeds: Sequence[float], phases: Array) -> Spectrum:
-    """Lines at speeds (N, rad/s) for phases (N, rad) at t = 0. Raises CheckError: no steady motion is found."""
-    motion = steady(scene, speeds, phases.tolist())
+def spectrum(motion: Steady, chain: Chain) -> Spectrum:
+    """Lines of a motion."""
+    scene = motion.scene
     torus, w, full = motion.torus, motion.frequencies, motion.full()
     a = torus.coefficients(chain.seen.full(full))
     rounding = _rounding(scene, chain.seen, motion.speeds, w, a[0].real.copy())

@@ -225,31 +225,36 @@ class Steady:
         return float((sizes[0] / np.maximum(sizes[1], least)).max()) if least else 0.0
 
 
-def steady(stand: Stand | Scene, speeds: Sequence[float], phases: Sequence[float] | None = None) -> Steady:
+def steady(
+    stand: Stand | Scene, speeds: Sequence[float], phases: Sequence[float] | None = None, near: Steady | None = None
+) -> Steady:
     """The motion at constant `speeds` (N, rad/s), flywheels at `phases` (N, rad; default 0) at t = 0.
 
     stand   or its Scene, for many speeds
+    near    that of speeds near these, from which it is sought; None: from rest
 
     Raises CheckError: no equilibrium, or no motion is found.
     """
     scene = Scene.of(stand) if isinstance(stand, Stand) else stand
     turning = common_period(speeds)
     if turning is not None and max(map(abs, turning.turns), default=0) <= FEW_TURNS:
-        return periodic(scene, turning, phases)
+        return periodic(scene, turning, phases, near)
     try:
-        return quasiperiodic(scene, speeds, phases)
+        return quasiperiodic(scene, speeds, phases, near=near)
     except CheckError:
         if turning is None:
             raise
-        return periodic(scene, turning, phases)
+        return periodic(scene, turning, phases, near)
 
 
-def periodic(stand: Stand | Scene, turning: Turning, phases: Sequence[float] | None = None) -> Steady:
+def periodic(
+    stand: Stand | Scene, turning: Turning, phases: Sequence[float] | None = None, near: Steady | None = None
+) -> Steady:
     """The motion on one base frequency, as `steady`."""
     r = int(turning.base > 0.0)
-    search = _Search(stand, np.full(r, turning.base), np.array(turning.turns).reshape(-1, 1)[:, :r], phases)
+    search = _Search(stand, np.full(r, turning.base), np.array(turning.turns).reshape(-1, 1)[:, :r], phases, near)
     enough, before = KINKED_TAIL if search.scene.stand.has_kinks else TAIL, np.inf
-    H = max(8, PER_TURN * max(map(abs, turning.turns))) if r else 1
+    H = max(8, search.near, PER_TURN * max(map(abs, turning.turns))) if r else 1
     while H <= MOST:
         motion = search.at(H)
         tail = _tail(motion)
@@ -260,15 +265,16 @@ def periodic(stand: Stand | Scene, turning: Turning, phases: Sequence[float] | N
 
 
 def quasiperiodic(
-    stand: Stand | Scene, speeds: Sequence[float], phases: Sequence[float] | None = None, order: int | None = None
-) -> Steady:
+    stand: Stand | Scene, speeds: Sequence[float], phases: Sequence[float] | None = None, order: int | None = None,
+    near: Steady | None = None,
+) -> Steady:  # fmt: skip
     """The motion on a base frequency for each flywheel that turns, as `steady`.
 
     order   largest sum of |k_s|; None: raised until little enough is left out or it no longer helps
     """
     speed = np.array(speeds, dtype=np.float64)
     turning = np.flatnonzero(speed)
-    search = _Search(stand, speed[turning], np.eye(len(speed), dtype=np.int64)[:, turning], phases)
+    search = _Search(stand, speed[turning], np.eye(len(speed), dtype=np.int64)[:, turning], phases, near)
     motion = search.judged(FIRST if order is None else order)
     for higher in range(FIRST + 1, HIGHEST + 1) if order is None else ():
         if motion.left_out <= ENOUGH and motion.pose_left_out <= ENOUGH_POSE:
@@ -440,13 +446,16 @@ class _Search:
     """Motions of one order after the other, each from the last."""
 
     def __init__(
-        self, stand: Stand | Scene, base: Array, turns: Whole, phases: Sequence[float] | None
+        self, stand: Stand | Scene, base: Array, turns: Whole, phases: Sequence[float] | None, near: Steady | None
     ) -> None:  # fmt: skip
         self.scene = Scene.of(stand) if isinstance(stand, Stand) else stand
         self.base, self.turns, self.speeds = base, turns, turns @ base
         self.phases = np.zeros(len(turns)) if phases is None else np.array(phases, dtype=np.float64)
         self.fastest = float(np.abs(self.speeds).max(initial=0.0)) or 1.0
         self.rounding, self.c = rounding_rates(self.scene, self.speeds), np.zeros((1, 2 * self.scene.count), complex)
+        self.near = near.order if near is not None and np.array_equal(near.turns, turns) else 0
+        if near is not None and self.near:
+            self.c = near.c * np.repeat([1.0, self.fastest / np.abs(near.speeds).max()], self.scene.count)
 
     def at(self, order: int) -> Steady:
         """The motion by (8). Raises CheckError."""
@@ -474,8 +483,9 @@ class _Search:
         carrier = _Carrier(self.scene, self._drive(torus), size)
         still = Linearised(torus, np.zeros((torus.M, 0, 0)), np.zeros((torus.M, 0, f)), carrier.free, w, slow, size)
         solved: Solved | None = None
-        for known in (self.c, np.zeros_like(self.c)):  # at a resonance that of a lower order may lead nowhere
-            start = torus.pad(known), np.zeros((len(w), f), dtype=np.complex128)
+        # at a resonance that of a lower order may lead nowhere
+        for known in (self.c,) if self.near else (self.c, np.zeros_like(self.c)):
+            start = torus.pad(known[: len(torus.k)]), np.zeros((len(w), f), dtype=np.complex128)
             solved = newton(carrier, torus, w, slow, start, least, rounding) if m else Solved(*start, still)  # clamped
             if solved is not None:
                 break

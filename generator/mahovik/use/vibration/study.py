@@ -2,7 +2,9 @@
 
 At every speed each wheel's first order is a line of the linear equations about the mean motion, beside the lines of
 makers' tables. The whole equations (8) are solved for the phases as they are: for one set of speeds; of a sweep where
-any sum is largest, and at some speeds more. Where they give another root mean square by FAR_OFF or more, at all speeds.
+any sum is largest, and at some speeds more. Where they give another root mean square by FAR_OFF or more, or none, at
+all speeds; where the next speed has a larger motion, or alone has one, that is followed: at a lightly damped peak that
+bends, Newton's method finds nothing from rest, or the smaller of two motions.
 So what a requirement is judged by, the largest value, is that of the whole equations, for one speed as in a sweep.
 
 A sweep needs speeds beside its even grid, so that its largest amplitude is the true one. First where an order of a
@@ -16,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,6 +33,7 @@ from mahovik.use.vibration.chain import Band, Chain, Makers, noise, spectrum, un
 from mahovik.use.vibration.lines import LineName, Lines, Requirement, Spectrum, Sums, in_band, size_of
 from mahovik.use.vibration.plant import Plant, Scene, crossings, natural_at, orders_of
 from mahovik.use.vibration.speeds import SpeedPlan
+from mahovik.use.vibration.steady import Steady, steady
 from mahovik.use.vibration.view import Observable
 
 GRID = 200
@@ -175,6 +179,9 @@ speeds.
 
 COMPARED = 4
 """Speeds of a sweep at which the whole equations are solved beside those of the largest sums."""
+
+FOLLOWED = 32
+"""Steps at most, by their size, in which a motion is followed to the next speed."""
 
 TOO_MUCH = 0.01
 """Part of the worst case that a solution may leave out."""
@@ -358,6 +365,11 @@ def vibration(
     return result
 
 
+def _size(solved: Spectrum | str) -> float:
+    """Root of the sum of the squares of the lines; 0 where there is no steady motion."""
+    return 0.0 if isinstance(solved, str) else float(np.linalg.norm(solved.amplitude))
+
+
 @dataclass(eq=False)
 class _Study:
     """What is known of a study so far: solutions, noise and linear lines by the value of the swept speed."""
@@ -369,6 +381,8 @@ class _Study:
     bands: tuple[Band | None, ...]
     go_on: GoOn
     solved: dict[float, Spectrum | str] = field(default_factory=dict)
+    motions: dict[float, Steady] = field(default_factory=dict)
+    followed: set[tuple[float, float]] = field(default_factory=set)
     noises: dict[float, Array] = field(default_factory=dict)
     known: tuple[Array, Lines, Lines] = field(default_factory=lambda: (np.zeros(0), Lines.none(0), Lines.none(0)))
     cut: bool = False
@@ -396,9 +410,9 @@ class _Study:
         vibration = self.result(value)
         while (rows := self.largest(vibration)) and self.solve(value[rows]):  # the largest need not stay so
             vibration = self.result(value)
-        if vibration.off <= FAR_OFF or self.cut:
+        if self.cut or (vibration.off <= FAR_OFF and len(self.motions) == len(self.solved)):
             return replace(vibration, coarse=float(value[vibration.largest().step]) if self.cut else None)
-        value, coarse = self.refine(value, lambda value: self.result(value) if self.solve(value) else None)
+        value, coarse = self.refine(value, lambda value: self.result(value) if self.follow(value) else None)
         return replace(self.result(value), coarse=coarse)
 
     def mattering(self, value: Array, met: Resonances) -> Resonances:
@@ -429,7 +443,7 @@ class _Study:
                 break
             lengths = vibration.lengths()
             near = np.concatenate([unsettled(value, size) for size in (lengths.rms, lengths.worst)])
-            more = merged(self.plan, value, near)
+            more = merged(self.plan, value, np.append(near, list(self.motions)))
             if len(more) == len(value):
                 return value, None
             value = more
@@ -462,9 +476,41 @@ class _Study:
                 self.cut = True
                 return False
             try:
-                self.solved[x] = spectrum(self.scene, self.chain, self.plan.speeds(x), self.phases)
+                self.keep(x)
             except CheckError as error:
                 self.solved[x] = str(error)
+        return True
+
+    def keep(self, x: float, near: Steady | None = None) -> None:
+        """Find a motion at a value of the swept speed, the larger of two counts. Raises CheckError: there is none."""
+        motion = steady(self.scene, self.plan.speeds(x), self.phases.tolist(), near)
+        found = spectrum(motion, self.chain)
+        if near is not None and found.unstable:
+            raise CheckError(f"{self.scene.stand.name}: the motion that was followed is unstable")
+        if x not in self.motions or _size(found) > _size(self.solved[x]):
+            self.motions[x], self.solved[x] = motion, found
+
+    def follow(self, value: Array) -> bool:
+        """As `solve`, and from motions beside a value that has none or a smaller one; in steps where it has none."""
+        if not self.solve(value):
+            return False
+        for way in (value, value[::-1]):
+            for near, x in pairwise(way.tolist()):
+                smaller = _size(self.solved[x]) < LARGEST * _size(self.solved[near])
+                if not smaller or (near, x) in self.followed:
+                    continue
+                if not self.go_on(len(self.solved), len(self.solved) + 1):
+                    self.cut = True
+                    return False
+                self.followed.add((near, x))
+                at, part, least = near, 1.0, 1.0 / FOLLOWED if isinstance(self.solved[x], str) else 1.0
+                while at != x and part * abs(x - at) >= least * abs(x - near):
+                    to = x if part == 1.0 else at + part * (x - at)
+                    try:
+                        self.keep(to, self.motions[at])
+                        at, part = to, 1.0
+                    except CheckError:
+                        part /= 2.0
         return True
 
     def result(self, value: Array, noisy: bool = True) -> Vibration:
