@@ -118,6 +118,7 @@ def test_exchanged_columns_are_told(tmp_path: Path, exact: Array) -> None:
     file = write(tmp_path / "run.csv", with_noise(exact, 1), swap=True)
     _, result = identified(TRUE, file, ["first.unbalance.static"])
     assert any("hold.reaction.x: the stand leaves" in note and "an axis" in note for note in result.messages)
+    assert not result.ok
 
 
 def test_channels_of_a_hold_need_one(tmp_path: Path, exact: Array) -> None:

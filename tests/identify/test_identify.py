@@ -200,6 +200,7 @@ def test_a_channel_of_the_wrong_sign_is_told(files: Path, exact: Array, truth: m
     _, result = identified(truth, write_csv(files / "sign.csv", rows), "w1.unbalance.static")
     (note,) = (note for note in result.messages if "a sign, an axis" in note)
     assert "imu.acceleration.x: the stand leaves" in note
+    assert not result.ok
 
 
 @pytest.mark.slow

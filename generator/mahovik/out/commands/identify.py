@@ -35,7 +35,8 @@ def identify(
     Least squares with the exact model. Data are accelerations and rates of the stand's points, or the reaction of its
     hold, with counts, pulses or phases of all its flywheels; what else is unknown, the initial state of each run and a
     constant offset of each channel, is estimated beside. Combinations that the data cannot tell stay as in the file and
-    are named, with the motion that would show them. Figures are in SI.
+    are named, with the motion that would show them. Exit status 1 where a channel's data are left unexplained, beyond
+    its noise. Figures are in SI.
 
     Args:
         stand: the stand file, with the sensors as points.
@@ -81,7 +82,8 @@ def identify(
     notes += [note for run in runs for note in run.notes]
     if not heard.any():
         notes.append("no channel has a signal above its noise: the residual is that of noise")
-    for (source, label), share, bad in zip(channels, left, np.concatenate([share[2] for share in shares]), strict=True):
+    badly = np.concatenate([share[2] for share in shares])
+    for (source, label), share, bad in zip(channels, left, badly, strict=True):
         if bad:
             words = "a sign, an axis, a phase, a unit, or a number that is not free?"
             notes.append(f"warning: {source}: {label}: the stand leaves {100.0 * share:.3g} % of the data: {words}")
@@ -116,6 +118,7 @@ def identify(
         },
         messages=[*(f"unobservable: {line}" for line in lines), *notes],
         details=("stand", "unobservable", "stand_keys"),
+        ok=not badly.any(),
     )
     if output is not None and form != ".toml":
         result.save(output)
