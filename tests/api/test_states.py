@@ -103,6 +103,8 @@ def test_commands_take_a_state_its_arrays_or_its_keys(name: str) -> None:
     for several in (m.states(2), model("general").state()):
         with pytest.raises(mahovik.InputError, match=r"2 states given, expected one|states of another stand"):
             mahovik.simulate(stand, until=1e-3, start=several)
+    with pytest.raises(mahovik.InputError, match=r"start: found the text 'start\.json', expected states"):
+        m.simulate("2 ms", start="start.json")
     with pytest.raises(mahovik.InputError, match="unknown tau, expected some of position"):
         m.forward({"tau": 1.0})
     x.V[1] = 1.0

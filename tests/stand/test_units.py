@@ -15,6 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mahovik.core.stand.units import (
+    ACCELERATION,
     ANGLE,
     DYNAMIC_UNBALANCE,
     INERTIA,
@@ -171,6 +172,10 @@ def test_gauss_is_answered_by_tesla(unit: str, tesla: float) -> None:
     before, _, answer = text.rpartition(f", 1 {unit} is ")
     assert before.endswith("expected a magnetic field (T)")
     assert number(answer, FIELD) == tesla
+
+
+def test_g_of_an_acceleration_is_answered_in_si() -> None:
+    assert refusal("g", ACCELERATION).endswith("expected an acceleration (m/s^2), 1 g is 9.80665 m/s^2")
 
 
 @pytest.mark.parametrize("unit", ["gr", "gr mm", "gr/cm^3"])

@@ -428,6 +428,8 @@ def hint(unit: str, dimension: str) -> str:
     """End of the message on a unit with no reading that fits a key of `dimension`, in SI; empty if there is none."""
     if dimension == "T" and unit.lower() in GAUSS:
         return f", 1 {unit} is {GAUSS[unit.lower()]} T"
+    if dimension == "m/s^2" and unit == "g":
+        return ", 1 g is 9.80665 m/s^2"
     if unit == "gm":
         return ', did you mean "g" or "g m"?'
     product = as_product(unit)

@@ -102,6 +102,8 @@ def _beginnings(calls: Calls, start: Any, tables: Tables | None) -> tuple[Array,
 
         state = rest(calls.stand).state
         start = np.array([*state.position, *(state.quaternion or ()), *state.V, *state.phi, *state.phi_dot])
+    if isinstance(start, str | Path):
+        raise InputError(f"start: found the text {str(start)!r}, expected states, or the numbers of the file by name")
     states = calls.array(start).astype(calls.element)
     n = None if states.ndim == 1 else len(states)
     n = calls.check_tables(tables, n) if tables is not None else n
