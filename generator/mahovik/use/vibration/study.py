@@ -484,11 +484,11 @@ class _Study:
     def keep(self, x: float, near: Steady | None = None) -> None:
         """Find a motion at a value of the swept speed, the larger of two counts. Raises CheckError: there is none."""
         motion = steady(self.scene, self.plan.speeds(x), self.phases.tolist(), near)
-        found = spectrum(motion, self.chain)
-        if near is not None and found.unstable:
+        lines = spectrum(motion, self.chain)
+        if near is not None and lines.unstable:
             raise CheckError(f"{self.scene.stand.name}: the motion that was followed is unstable")
-        if x not in self.motions or _size(found) > _size(self.solved[x]):
-            self.motions[x], self.solved[x] = motion, found
+        if x not in self.motions or _size(lines) > _size(self.solved[x]):
+            self.motions[x], self.solved[x] = motion, lines
 
     def follow(self, value: Array) -> bool:
         """As `solve`, and from motions beside a value that has none or a smaller one; in steps where it has none."""
