@@ -47,16 +47,20 @@ def test_numbers_are_distributed_as_scipy_says(tmp_path: Path, entry: str) -> No
     assert stats.kstest(1.05 * drawn, LAWS[entry].cdf).pvalue < 1e-3
 
 
-def test_what_the_least_value_of_a_key_cuts_off_is_said(tmp_path: Path) -> None:
+def test_what_is_cut_off_is_said(tmp_path: Path) -> None:
     """A normal distribution about almost zero loses half, and has the mean sigma sqrt(2/pi)."""
     campaign = read(
         tmp_path, '[vary]\n"carrier.mass" = { normal = [0, 200] }\n"gravity[2]" = { normal = [0, 1] }' + RUN
     )
     mass, gravity = (varied.remark for varied in campaign.draw.varied)
-    assert mass.startswith("carrier.mass: 50 % of its distribution is below 0, ") and gravity == ""
+    assert mass.startswith("carrier.mass: 50 % of its distribution is below 0 and ") and gravity == ""
     assert mass.endswith(f"; the mean is {200 * math.sqrt(2 / math.pi):.6g} kg")
     few = read(tmp_path, '[vary]\n"carrier.mass" = { normal = [3, 0.2] }' + RUN)
     assert few.draw.varied[0].remark == ""
+    both = read(tmp_path, '[vary]\n"carrier.mass" = { uniform = [1, 2], least = 1.2, most = 1.6 }' + RUN)
+    assert "60 % of its distribution is below 1.2 or above 1.6 and is cut off; the mean is 1.4 kg" in (
+        both.draw.varied[0].remark
+    )
 
 
 def test_a_pattern_draws_each_match_by_itself_and_a_path_has_precedence(tmp_path: Path) -> None:

@@ -176,7 +176,7 @@ def test_a_fault_of_one_function_alone_says_so() -> None:
 def test_a_diagnosis_as_data() -> None:
     data = as_object(planted(BY_NAME["quaternion conjugated"]))
     assert (data["verdict"], data["unexplained"]) == ("named", 0.0)
-    assert data["found"][0] == {"fault": "quaternion conjugated"}
+    assert data["found"][0] == {"fault": "quaternion conjugated", "share": 1.0}
     assert data["precision"] == {"name": "double", "accepted": 1e-11}
     assert as_object(Diagnosis("none"))["found"] == []
 

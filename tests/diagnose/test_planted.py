@@ -225,4 +225,6 @@ def test_the_command_names_a_number(tmp_path: Path) -> None:
     assert suite.get("name") == "mahovik judge rig"
     assert all((case.text or "").startswith("carrier.mass: 2.01 kg explains") for case in suite.iter("failure"))
     diagnosis = result["diagnosis"]
-    assert diagnosis["found"] == [{"number": "carrier.mass", "value": 2.01, "expected": 2.0, "unit": "kg"}]
+    assert diagnosis["found"] == [
+        {"number": "carrier.mass", "value": 2.01, "expected": 2.0, "unit": "kg", "share": 1.0}
+    ]

@@ -50,7 +50,8 @@ def headers() -> Iterator[tuple[str, str]]:
 def test_no_word_of_a_header_is_a_macro() -> None:
     """After <windows.h> an empty macro `near` took a member out of a struct, and callers wrote the one beside it."""
     assert {"near", "far", "I", "min", "errno", "linux", "interface"} <= MACROS
-    assert {(name, word) for name, text in headers() for word in words(text) & MACROS} == set()
+    keywords = {"static_assert"}  # of C++, in the block of Basilisk
+    assert {(name, word) for name, text in headers() for word in words(text) & MACROS - keywords} == set()
 
 
 @pytest.mark.slow

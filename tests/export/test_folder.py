@@ -66,7 +66,7 @@ def test_the_target_has_what_lies_in_the_folder(planned: tuple[str, ...], tmp_pa
 def test_cmake_tests_programme_and_servos(planned: tuple[str, ...], tmp_path: Path) -> None:
     stand, *options = planned
     invoked("generate", stand, "--project", "cmake", *options, "-o", str(tmp_path / "mine"))
-    assert ctest(build(tmp_path / "mine")) == 4
+    assert ctest(build(tmp_path / "mine")) == 3
 
 
 @pytest.mark.slow
@@ -101,6 +101,30 @@ def test_an_untouched_project_is_as_the_stand_file_gives_it(project: str, tmp_pa
         folder = str(tmp_path / "-".join([project, *only]))
         invoked("generate", stand, "--project", project, *only, "-o", folder)
         invoked("generate", stand, "--project", project, "-o", folder, "--check")
+
+
+@pytest.mark.parametrize(
+    ("name", "project", "options"),
+    [
+        ("shaker2", ("--project", "simulink"), ("--fmu", "dt=1ms", "--fmu", "start=start.json")),
+        ("shaker2", ("--project", "basilisk"), ("--fmu", "dt=2ms")),
+        ("eye4", ("--project", "m7"), ("--attitude", "momentum=0.5", "--attitude", "rate=40")),
+        ("eye4", (), ("--attitude", "pointing")),
+    ],
+)
+def test_settings_of_blocks_and_loops_are_those_of_the_folder(
+    name: str, project: tuple[str, ...], options: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The file of the start may be gone."""
+    monkeypatch.chdir(tmp_path)
+    Path("start.json").write_text('{"position": [0, 0, 0.01]}')
+    stand = str(stands.path(name))
+    invoked("generate", stand, *project, *options, "-o", "made")
+    Path("start.json").unlink()
+    for more in ((), project):
+        invoked("generate", stand, *more, "-o", "made", "--check")
+    other = ("--fmu", "dt=3ms", *project) if "--fmu" in options else ("--attitude", "momentum=0.3", *project)
+    assert "is not what the generator" in refused("generate", stand, *other, "-o", "made", "--check", status=1)
 
 
 @pytest.mark.parametrize(

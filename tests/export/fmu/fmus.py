@@ -54,7 +54,7 @@ def fmu_of(name: str, kind: Kind, inputs: Inputs, binary: bool = True) -> Fmu:
     """FMU of a stand; begins at rest in the origin where the stand has no equilibrium."""
     example = stand(name)
     start = rest_state(example) if name in ("rigid", "driven") else None
-    return export_fmu(example, kind, inputs, start=start, binary=binary, generated=generated(name))
+    return export_fmu(example, kind, inputs, start=start, binary=binary)
 
 
 @lru_cache

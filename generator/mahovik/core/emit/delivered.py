@@ -12,7 +12,7 @@ import platform
 import re
 import subprocess
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from importlib.metadata import version
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -39,19 +39,21 @@ PROVENANCE = "provenance.json"
 
 _MARK = "Generated: change the stand file instead."
 _NOTHING = "nothing was written"
+_OTHER = "is not what the generator makes of the stand file"
 
 
 @dataclass(frozen=True)
 class Options:
     """What `generate` was asked for beside the prefix, which is the name of the stand: as its options have it.
 
-    `project`: also `attitude-` before the project of an attitude loop; "" for none.
+    `project`: also `attitude-` before the project of an attitude loop; "" for none. `settings`: of a block or a loop.
     """
 
     real: str = "double"
     only: tuple[str, ...] = ()
     additions: tuple[str, ...] = ()
     project: str = ""
+    settings: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -115,7 +117,8 @@ def delivered_options(folder: Path) -> Options | None:
         return None
     stems = {PurePosixPath(name).stem for name in manifest["files"]}
     added = tuple(name for name in ADDITIONS if {f"{manifest['stand']}_{name}", f"mahovik_{name}"} & stems)
-    return Options(manifest["real"], tuple(manifest.get("only", ALL)), added, str(manifest.get("project", "")))
+    only, project, settings = manifest.get("only", ALL), manifest.get("project", ""), manifest.get("settings")
+    return Options(manifest["real"], tuple(only), added, str(project), settings if isinstance(settings, dict) else {})
 
 
 def with_prefix(stand: Stand, prefix: str | None) -> Stand:
@@ -296,7 +299,7 @@ def differences(folder: Path, stand: Stand, files: Mapping[str, str], beside: Ma
             made_as = ", expected what generate wrote, with the project that it was made with" if name == NAME else ""
             result.append(f"{path}: is missing{made_as}")
         elif path.read_bytes() != text.encode("utf-8"):
-            other = "does not list these files" if name == NAME else "is not what the generator makes of the stand file"
+            other = "is not the manifest of these files" if name == NAME else _OTHER
             result.append(f"{path}: {other}")
     for manifest, changed in files_beside(folder, stand).items():
         result += [f"{folder / name}: is not what {manifest}.json lists" for name in changed if name not in beside]

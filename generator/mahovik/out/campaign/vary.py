@@ -164,7 +164,7 @@ _OPTIONS = dict.fromkeys(KINDS, ("least", "most", "group")) | {"grade": ("speed"
 
 _GRADE = re.compile(r"G\s*(\d+\.?\d*|\.\d+)")
 NOTABLE_CUT = 1e-3
-"""Least part of a distribution that is worth a message where the bound of its key cuts it off."""
+"""Least part of a distribution that is worth a message where it is cut off."""
 
 _LEAST, _MOST = 2.0**-54, 1.0 - 2.0**-53
 """Probabilities are kept within these, so that no sample of an unbounded distribution is infinite."""
@@ -197,14 +197,17 @@ class Varied:
 
     @property
     def remark(self) -> str:
-        """How much of a distribution the least value of its key cuts off, and the mean that is left; "" if little."""
-        if self.factor is None or self.low != self.number.least:
+        """How much of a distribution is cut off, and the mean that is left; "" if little."""
+        if self.factor is None:
             return ""
-        share = float(self.distribution.cdf(self.low))
+        first, last = self.distribution.cdf([self.low, self.high])
+        share = float(1.0 - (last - first))
         if share < NOTABLE_CUT:
             return ""
         mean = self.scale * float(self.distribution.expect(lb=self.low, ub=self.high, conditional=True))
-        words = f"{100.0 * share:.3g} % of its distribution is below {self.low:g}, its least value, and is cut off"
+        ends = ("below", self.low), ("above", self.high)
+        where = " or ".join(f"{side} {self.scale * end:g}" for side, end in ends if math.isfinite(end))
+        words = f"{100.0 * share:.3g} % of its distribution is {where} and is cut off"
         return f"{self.number.path}: {words}; the mean is {mean:.6g} {self.number.dimension.si}".rstrip()
 
 

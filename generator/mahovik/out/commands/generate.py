@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import contextlib
+import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -25,7 +26,6 @@ from mahovik.out.arguments import (
     motion_of,
     programme_of,
     quantity,
-    reading,
     servo_of,
 )
 from mahovik.out.notices import Progress, notify, warn, warn_of_turn
@@ -121,7 +121,8 @@ def generate(
         name: name of the programme in C, so that several lie in one image.
         attitude: write an attitude loop for this task, or set task=NAME, rate=HZ (default 50), bandwidth=HZ (0.1),
             damping=RATIO (0.8), momentum=NMS (1, of the example), failure=coasts|held|none (of its first flywheel).
-        check: write nothing, and exit with status 1 if the folder differs; options are those that it was made with.
+        check: write nothing, and exit with status 1 if the folder differs; options are those that it was made with,
+            but an FMU, a file alone, takes them again.
 
     Raises:
         UsageError: options that contradict one another, files of others in the folder.
@@ -135,13 +136,15 @@ def generate(
     only_, added = names_in("only", only, (*ALL, "list")), names_in("with_", with_)
     added += ("batch",) if batch else ()
     if only_ == ("list",):
+        if added or project or programme or attitude or check:
+            raise UsageError("only: list prints what there is, and goes with no other option")
         return _functions(machine)
     if project is not None and project not in (known := ("cmake", *ALONE, *TARGETS)):
         raise UsageError(f'project: unknown "{project}"{suggestion(project, known)}')
     if added and project not in (None, "cmake"):
         raise UsageError("with_: a board has the self-test and nothing else")
     named = with_prefix(machine, prefix)
-    if project == "fmu":
+    if project == "fmu" or (check and project is None and Path(output or "").suffix == ".fmu"):
         return _fmu(named, output, fmu, check, progress)
     with_loop = attitude is not None
     usual_name = "-".join(filter(None, (named.name, "attitude" * with_loop, project or "host" * with_loop)))
@@ -149,8 +152,11 @@ def generate(
     delivered = Options()
     if check or programme is not None:
         delivered = delivered_options(folder) or Options("")
+    if programme is None:
+        attitude, fmu = attitude or delivered.settings.get("attitude"), fmu or delivered.settings.get("fmu")
     if project is None and delivered.project:
-        project = delivered.project.removeprefix("attitude-" * with_loop)  # which is to compile the programme as well
+        # which is to compile the programme as well
+        project = delivered.project.removeprefix("attitude-" * (attitude is not None))
         if project.startswith("attitude-") and programme is None:
             raise CheckError(f"{folder} has an attitude loop: expected the attitude=TASK that it was made with")
         if programme is not None and project not in ("cmake", *TARGETS):
@@ -240,9 +246,10 @@ def _add_project(
 ) -> None:  # fmt: skip
     """Add the C and the project around it, which compiles programmes of the contents and of the folder.
 
-    `loop`: options of an attitude loop; without a project for this machine. `fmu`: settings of a block. Raises
-    UsageError, StandError.
+    `loop`: options of an attitude loop; without a project for this machine. `fmu`: settings of a block. Both stand in
+    the manifest. Raises UsageError, StandError.
     """
+    settings: dict[str, Any] = {}
     if loop is None and project is None:
         from mahovik.core.emit.delivery import delivery
 
@@ -253,12 +260,16 @@ def _add_project(
         contents.files = fuzz_project(stand, real)
     elif project in BLOCKS:
         from mahovik.out.export.fmu import export_block
+        from mahovik.proof.verify.states import state_object
 
-        contents.files = export_block(stand, str(project), **_fmu_settings(stand, fmu, {}))
+        chosen = _fmu_settings(stand, fmu, {})
+        contents.files = export_block(stand, str(project), **chosen)
+        start = {} if chosen["start"] is None else {"start": state_object(chosen["start"])}
+        settings = {"fmu": start | {"dt": chosen["dt"]}}
     elif loop is not None:
         from mahovik.out.export.project import attitude_project, attitude_sources, cmake_project
 
-        made = attitude_sources(stand, loop, real)
+        made, settings = attitude_sources(stand, loop, real), {"attitude": asdict(loop)}
         contents.lines = (*contents.lines, *made.design.lines)
         if project == "cmake":
             contents.files = cmake_project(stand, real, loop=made)
@@ -274,6 +285,11 @@ def _add_project(
         else:
             contents.files = board_project(stand, str(project), real, only, beside)
             contents.replaceable = ("main.c",)
+    if settings:
+        from mahovik.core.emit.manifest import NAME, as_text
+
+        document = json.loads(contents.files[NAME])
+        contents.files[NAME] = as_text({**document, "settings": settings})
 
 
 def _add_programme(
@@ -341,8 +357,6 @@ def _result(title: str, folder: Path, texts: Mapping[str, str | bytes], lines: S
 
 def _warn(stand: Stand, made: Contents, only: tuple[str, ...]) -> None:
     """Warn of what float does not resolve, of tasks out of reach, of a singular (12), as `mahovik check` does."""
-    import json
-
     from mahovik.core.stand.summary import summarize
     from mahovik.use.simulate.held import USUAL_STEP, lost_increments, lost_increments_line
     from mahovik.use.study.shortfalls import excess, shortfalls, shortfalls_line, task_shortfalls
@@ -365,7 +379,8 @@ def _warn(stand: Stand, made: Contents, only: tuple[str, ...]) -> None:
 def _fmu_settings(stand: Stand, settings: Any, words: Mapping[str, tuple[str, ...]]) -> dict[str, Any]:
     """Start and longest step of an FMU or a block, and what is one of some words. Raises UsageError."""
     from mahovik.core.stand.units import TIME
-    from mahovik.use.simulate.case import load_start
+    from mahovik.out.api.states import state_of
+    from mahovik.use.simulate.case import HINT, START_KEYS
 
     chosen: dict[str, Any] = {"start": None, "dt": 1e-4, **{key: known[0] for key, known in words.items()}}
     for key, value in _pairs(settings or {}, "").items():
@@ -373,11 +388,12 @@ def _fmu_settings(stand: Stand, settings: Any, words: Mapping[str, tuple[str, ..
             raise UsageError(f'fmu: unknown "{key}"{suggestion(str(key), chosen)}')
         if key in words and str(value) not in words[key]:
             raise UsageError(f'fmu {key}: unknown "{value}"{suggestion(str(value), words[key])}')
-        chosen[key] = quantity("fmu dt", value, TIME, 1e-9, 10.0) if key == "dt" else str(value)
+        if key == "start":
+            chosen[key] = state_of("fmu start", value, stand, START_KEYS, HINT)
+        else:
+            chosen[key] = quantity("fmu dt", value, TIME, 1e-9, 10.0) if key == "dt" else str(value)
     if chosen["start"] is None:
         warn_of_turn(stand)
-    else:
-        chosen["start"] = reading("state", Path(chosen["start"]), load_start, stand)
     return chosen
 
 

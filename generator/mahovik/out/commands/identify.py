@@ -53,7 +53,7 @@ def identify(
         StandError: a stand that cannot be.
     """
     from mahovik.out.api.stands import Stand
-    from mahovik.out.identify.estimate import coloured_lines, estimate, shares_left, unobservable_lines
+    from mahovik.out.identify.estimate import HEARD, coloured_lines, estimate, shares_left, unobservable_lines
     from mahovik.out.identify.free import Free, read_free, with_numbers
     from mahovik.use.measured.read import read_recordings
 
@@ -81,7 +81,7 @@ def identify(
     notes = [note for recording in recordings for note in recording.notes]
     notes += [note for run in runs for note in run.notes]
     if not heard.any():
-        notes.append("no channel has a signal above its noise: the residual is that of noise")
+        notes.append(f"no channel spreads over {HEARD:g} times its noise: the residual is that of all channels")
     badly = np.concatenate([share[2] for share in shares])
     for (source, label), share, bad in zip(channels, left, badly, strict=True):
         if bad:

@@ -385,7 +385,8 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
         causes = [{"fault": cause.name} for cause in diagnosis.causes]
         causes += [{key: getattr(term, key) for key in TERM_KEYS} for term in diagnosis.terms.terms]
     elif diagnosis.verdict in ("named", "approximate"):
-        causes = [_cause(cause) for cause in diagnosis.causes]
+        share = (1.0 - diagnosis.unexplained) / max(len(diagnosis.causes), 1)
+        causes = [_cause(cause, share) for cause in diagnosis.causes]
     return {
         "verdict": diagnosis.verdict,
         "unexplained": diagnosis.unexplained,
@@ -397,12 +398,12 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
     }
 
 
-def _cause(cause: Cause) -> dict[str, Any]:
+def _cause(cause: Cause, share: float) -> dict[str, Any]:
     more = {key: list(names) for key in ("like", "only_in") if (names := getattr(cause, key))}
     if cause.number is None:
-        return {"fault": cause.name, **more}
+        return {"fault": cause.name, "share": share, **more}
     value, expected, unit = cause.number
-    return {"number": cause.name, "value": value, "expected": expected, "unit": unit, **more}
+    return {"number": cause.name, "value": value, "expected": expected, "unit": unit, "share": share, **more}
 
 
 def _cause_lines(causes: Sequence[Cause], explains: str, precision: str = "double") -> list[str]:
