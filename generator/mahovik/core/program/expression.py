@@ -13,6 +13,7 @@ from sys import float_info
 from typing import Any, ClassVar, TypeAlias, cast
 
 from mahovik.core.program.types import Field, Kind, NamedCount, NamedNumber, ProgramError, Struct
+from mahovik.core.stand.fields import C_KEYWORDS, CPP_KEYWORDS
 
 Number: TypeAlias = int | float | Fraction
 Operand: TypeAlias = "Expr | int | float | Fraction | NamedCount"
@@ -88,6 +89,9 @@ class Expr:
             "an expression has no truth value in Python: expected `if`, `and`, `or`, `not` and single comparisons"
         )
 
+
+TAKEN = C_KEYWORDS | CPP_KEYWORDS | {"NULL"}
+"""Names that no variable has: those of arguments stand in a header that C++ may include."""
 
 OPERANDS = (Expr, int, float, Fraction, NamedCount)
 
@@ -169,12 +173,12 @@ class Place(Expr):
         if not self.shape and isinstance(self.type, Struct) and index == slice(None):
             return self
         if isinstance(index, slice):
-            return cast(Place, Place.vector_of([self[i] for i in range(len(self))[index]]))
+            return cast(Place, Place.vector_of([self[i] for i in numbers_of(index, len(self))]))
         if isinstance(index, tuple):
             first, *rest = index
             if not isinstance(first, slice):
                 return self[first][rest[0]]
-            return cast(Place, Place.vector_of([self[i][rest[0]] for i in range(len(self))[first]]))
+            return cast(Place, Place.vector_of([self[i][rest[0]] for i in numbers_of(first, len(self))]))
         length = len(self)
         if isinstance(index, int | NamedCount) and not 0 <= int(index) < length:
             raise ProgramError(f"{self!r}[{int(index)}] is outside 0..{length - 1}")
@@ -193,6 +197,14 @@ class Place(Expr):
         for step in self.path:
             text += f".{step}" if isinstance(step, str) else "[]"
         return text
+
+
+def numbers_of(part: slice, length: int) -> range:
+    """The indices of a slice. Raises ProgramError where it begins or ends outside, which Python cuts off silently."""
+    for bound in (part.start, part.stop):
+        if bound is not None and not -length <= int(bound) <= length:
+            raise ProgramError(f"a slice to {int(bound)} of {length} elements: expected at most {length}")
+    return range(length)[part]
 
 
 def paired(a: Any, b: Any) -> Iterator[tuple[Any, Any]]:
@@ -219,6 +231,8 @@ class Variable:
         pointer: bool = False,
         written: bool = False,
     ) -> None:
+        if name in TAKEN:
+            raise ProgramError(f"{name} is a word of C, expected another name")
         self.name = name
         self.type = type_
         self.shape = shape

@@ -283,6 +283,8 @@ def kernel(
 
     def compiled(function: Callable[..., Any]) -> Function:
         text = _Text(function)
+        if not text.docstring:
+            raise text.error(text.tree, "expected a docstring, whose first line is the purpose")
         arguments = text.arguments()
         body = Body()
         places = {
@@ -297,8 +299,6 @@ def kernel(
             body.ret(OK)
         if kind is not None and not returns(body.statements):
             raise text.error(text.tree.body[-1], f"{{}}: a way through it returns nothing, expected {text.returns}")
-        if not text.docstring:
-            raise text.error(text.tree, "expected a docstring, whose first line is the purpose")
         first, *lines = (line for line in text.docstring.splitlines() if line)
         return Function(
             name or function.__name__, purpose or first, tuple(a for a in arguments.values() if a is not None),
@@ -399,7 +399,10 @@ class _Text:
                 arguments[name] = declared and replace(declared)  # with a variable of its own
             else:
                 type_ = declared.type if isinstance(declared.type, Struct) else self.kind(name)
-                arguments[name] = replace(declared, name=_in_c(name), type=type_)
+                try:
+                    arguments[name] = replace(declared, name=_in_c(name), type=type_)
+                except ProgramError as error:
+                    raise self.error(self.tree, str(error)) from None
         return arguments
 
     def kind(self, name: str) -> Kind:
@@ -500,6 +503,8 @@ class _Compilation:
                     raise ProgramError("expected a variable or a place")
                 self.body.add(place, self.value(value), comment, isinstance(operator, ast.Sub))
             case ast.Expr(value):
+                if not isinstance(value, ast.Call):
+                    raise ProgramError("nothing takes this value, expected a call or an assignment")
                 result = self.value(value)
                 if isinstance(result, Call) and result.signature.returns is Kind.STATUS:
                     self.body.check(result)
@@ -677,7 +682,9 @@ def _joined(join: Callable[[Expr, Expr], Expr], decides: bool) -> Callable[..., 
         for operand in operands:
             value = operand()
             if isinstance(value, Expr):
-                result = value if not isinstance(result, Expr) else join(result, value)
+                result = join(result, value) if isinstance(result, Expr) else condition(value)
+            elif isinstance(result, Expr) and not isinstance(value, bool):
+                condition(value)  # is none
             elif bool(value) is decides:
                 return value
             elif not isinstance(result, Expr):

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import isqrt
 from typing import Any, TypeAlias
 
-from mahovik.core.program.expression import Binary, Expr, Negate, Place, paired
+from mahovik.core.program.expression import Binary, Expr, Negate, Place, numbers_of, paired
 from mahovik.core.program.types import Kind, ProgramError
 
 Scalar: TypeAlias = "Expr | int | float"
@@ -45,7 +45,7 @@ class Vector(Sequence[Any]):
 
     def __getitem__(self, index: Any) -> Any:
         if isinstance(index, slice):
-            return Vector(self.elements[index])
+            return Vector(self.elements[i] for i in numbers_of(index, len(self)))
         if not -len(self) <= index < len(self):
             raise ProgramError(f"{len(self)} numbers have no number [{index}]")
         return self.elements[index]
@@ -111,6 +111,8 @@ class Matrix:
         return iter(self.rows)
 
     def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice):
+            return [self.rows[i] for i in numbers_of(index, len(self))]
         return self.rows[index]
 
     @property
