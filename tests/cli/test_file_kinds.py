@@ -72,6 +72,12 @@ def test_kinds_are_known_by_content() -> None:
     assert words_of_file(Path("missing.toml")) is None
 
 
+@pytest.mark.parametrize("text", ["\x01a,\x02\nb,c\n", "ab, c\nd, e, f\n"])
+def test_a_text_with_a_comma_is_no_table(text: str) -> None:
+    Path("random.toml").write_text(text)
+    assert refused("check", "random.toml").startswith("error: random.toml: not TOML: ")
+
+
 @pytest.mark.parametrize("expected", COMMANDS)
 def test_one_line_says_what_a_file_is(expected: str, files: set[str]) -> None:
     fits = {"a file of measured data": ("table.csv",), "an FMU": ("lead.zip",), "a regime": ("programme.json",)}

@@ -77,7 +77,7 @@ def test_a_quaternion_near_unit_length_is_normalised() -> None:
         ({"phi": [0] * (N + 1)}, f"phi: expected {N} numbers, found {N + 1}"),
         ({"phi": 0}, f"phi: expected a list of {N} numbers, found 0"),
         ({"V": [0, 0, True, 0, 0, 0]}, "V[2]: expected a number, found true"),
-        ({"V": [0, 0, "1", 0, 0, 0]}, 'V[2]: expected a number, found "1"'),
+        ({"V": [0, 0, "1", 0, 0, 0]}, 'V[2]: expected a number, found "1": states are in SI, without units'),
         ({"V": None}, "V: expected a list of 6 numbers, found null"),
         ({"V": [0, 0, [[[1]]], 0, 0, 0]}, "V[2]: expected a number, found [[[1]]]"),
         ({"position": [10**400, 0, 0]}, "is not finite as a double"),

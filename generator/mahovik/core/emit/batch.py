@@ -18,6 +18,7 @@ from mahovik.core.emit.layout import paragraph
 from mahovik.core.emit.names import Names
 from mahovik.core.lower.batch import BOTH, PREPARED, Batch, Batches, batches
 from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.values import law_struct
 from mahovik.core.program.call import Argument
 from mahovik.core.program.refusal import POSITIVE
@@ -41,7 +42,10 @@ def batch_files(
     """
     made = batches(generated.program, table_forms, left_out)
     if not made.batches:
-        names = ", ".join(name for name in BATCH_FUNCTIONS)
+        public = {
+            f.name for f in lower_layout(generated.layout, slopes=False).functions if f.public
+        }  # of the whole stand
+        names = ", ".join(name for name in BATCH_FUNCTIONS if name in public)
         raise UsageError(f"batch: none of the functions {', '.join(generated.only)} has one, expected one of {names}")
     printer = _Printer(generated, made, Code(made.program, identities(stand)), True in table_forms)
     return {f"{stand.name}_batch.h": printer.header(), f"{stand.name}_batch.c": printer.source()}

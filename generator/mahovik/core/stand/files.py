@@ -105,8 +105,10 @@ def words_of_file(path: Path) -> str | None:
             keys = parse(text)
             keys = keys if isinstance(keys, dict) else {}
             return KINDS.get(next((kind for kind, shows in _BY_KEYS.items() if shows(keys)), kind_of(keys)))
-    head = text.partition("\n")[0]
-    return CSV if "," in head and not head.lstrip().startswith(("{", "[", "#")) else None
+    head = text.partition("\n")[0].strip()
+    commas = {line.count(",") for line in text.split("\n", 2)[:2]}  # the first row has as many as the head
+    is_table = len(commas) == 1 and "," in head and head.isprintable() and not head.startswith(("{", "[", "#"))
+    return CSV if is_table else None
 
 
 def wrong_kind(kind: str, *expected: str) -> str:

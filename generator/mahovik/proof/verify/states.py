@@ -203,7 +203,8 @@ def freedoms_of(stand: Stand, document: dict[str, Any], want: Sequence[str], rea
 
 def _number(value: Any, where: str) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise StateError(f"{where}: expected a number, found {excerpt(value)}")
+        plain = ": states are in SI, without units" if isinstance(value, str) else ""
+        raise StateError(f"{where}: expected a number, found {excerpt(value)}{plain}")
     try:
         number = float(value)
     except OverflowError:
