@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import json
 import re
+import sys
 import typing
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import MISSING, is_dataclass
@@ -84,10 +85,7 @@ Rows = Callable[[], Iterable[tuple[str, ...]]]
 
 
 def key_rows(keys: type, data: type, known: type[Table] | None = None) -> Iterator[tuple[str, ...]]:
-    """A row for each key of a table of the file, as its class declares it; without those that `known` has likewise.
-
-    Raises KeyError where a docstring has no entry for a key.
-    """
+    """A row for each key of a table of the file, as its class declares it, less those that `known` has likewise."""
     meanings = {law.key: law_words(law) for law in body_laws() if not law.mounted} | entries(
         getattr(data, "keys", data), keys, data
     )
@@ -96,7 +94,8 @@ def key_rows(keys: type, data: type, known: type[Table] | None = None) -> Iterat
     for key in sorted(declared_keys(keys), key=lambda key: (*first, key.name).index(key.name)):
         if key.key not in likewise or likewise[key.key] != key.default:
             default = "required" if key.default is MISSING else default_words(key.default, key.validator)
-            yield f"`{key.key}`", value_words(data, key), default, meanings[key.key]
+            words = meanings.get(key.key) or sys.exit(f"{data.__name__}: {key.key} has no entry in its docstring")
+            yield f"`{key.key}`", value_words(data, key), default, words
 
 
 def law_words(law: type) -> str:

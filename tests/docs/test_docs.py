@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import reference_tables
 import sympy as sp
 
 from docs.pages import PAGES, ROOT, Block, anchors, blocks, links, prose, rows
@@ -31,7 +32,7 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Bounds, Objective, Slew
 from mahovik.core.stand import laws, load, loads
 from mahovik.core.stand.datasheet import UnbalanceTable
-from mahovik.core.stand.model import Encoder, Task
+from mahovik.core.stand.model import Encoder, Point, Task
 from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.tables import keys_of
 from mahovik.core.stand.units import Dimension
@@ -321,3 +322,9 @@ def test_pages_fit_a_phone_and_ask_for_nothing(site: Path) -> None:
             assert opened.page.evaluate(f"{root}.scrollWidth <= {root}.clientWidth"), page.name
         assert opened.complaints == []
         assert [url for url in opened.requests if not url.startswith("file:")] == []
+
+
+def test_a_key_without_an_entry_is_said_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reference_tables, "entries", lambda *classes: {})
+    with pytest.raises(SystemExit, match="Point: name has no entry in its docstring"):
+        list(reference_tables.key_rows(Point.table(), Point))
