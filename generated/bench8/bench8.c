@@ -1525,8 +1525,8 @@ BENCH8_CODE static void bench8_allocate(
     /* rounding may take an answer that just reaches its limit beyond it; what overflows is refused later */
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real answer = phi_ddot[s] * work->scale[s];
-        const bench8_real size = (answer < 0.0) ? -answer : answer;
         phi_ddot[s] = answer;
+        const bench8_real size = (answer < 0.0) ? -answer : answer;
         if (limited[s] > 0 || (size > options->limit[s] && size <= BENCH8_LARGEST)) {
             phi_ddot[s] = (answer < 0.0) ? -options->limit[s] : options->limit[s];
         }

@@ -103,8 +103,8 @@ def allocate(lib: Library, rows: int = 6) -> Function:
         # rounding may take an answer that just reaches its limit beyond it; what overflows is refused later
         for s in range(N):
             answer = phi_ddot[s] * work.scale[s]
-            size = abs(answer)
             phi_ddot[s] = answer
+            size = abs(answer)
             if limited[s] > 0 or (size > options.limit[s] and size <= largest):
                 phi_ddot[s] = -options.limit[s] if answer < 0 else options.limit[s]
 
