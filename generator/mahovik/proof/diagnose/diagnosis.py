@@ -28,7 +28,8 @@ from mahovik.proof.diagnose.answers import (
 )
 from mahovik.proof.diagnose.causes import FACTORS, NumberSearch, Reading, SolvedNumbers, answered_by_factor, readings_of
 from mahovik.proof.diagnose.columns import TERMS_OF_BODIES, count_products
-from mahovik.proof.diagnose.search import MOST, WANTS, TermSearch, TermSearchResult, WrongTerm
+from mahovik.proof.diagnose.fit import MOST
+from mahovik.proof.diagnose.search import WANTS, TermSearch, TermSearchResult, WrongTerm
 from mahovik.proof.reference.algebra import Array, carrier_rotation, wrench_to_parent
 from mahovik.proof.verify.check import Check, Report
 from mahovik.proof.verify.foreign import Program
