@@ -1526,8 +1526,8 @@ BENCH8_CODE static void bench8_allocate(
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real answer = phi_ddot[s] * work->scale[s];
         phi_ddot[s] = answer;
-        const bench8_real size = (answer < 0.0) ? -answer : answer;
-        if (limited[s] > 0 || (size > options->limit[s] && size <= BENCH8_LARGEST)) {
+        if (limited[s] > 0 || (((answer < 0.0) ? -answer : answer) > options->limit[s]
+            && ((answer < 0.0) ? -answer : answer) <= BENCH8_LARGEST)) {
             phi_ddot[s] = (answer < 0.0) ? -options->limit[s] : options->limit[s];
         }
     }

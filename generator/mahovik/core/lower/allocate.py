@@ -104,8 +104,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
         for s in range(N):
             answer = phi_ddot[s] * work.scale[s]
             phi_ddot[s] = answer
-            size = abs(answer)
-            if limited[s] > 0 or (size > options.limit[s] and size <= largest):
+            if limited[s] > 0 or (abs(answer) > options.limit[s] and abs(answer) <= largest):
                 phi_ddot[s] = -options.limit[s] if answer < 0 else options.limit[s]
 
     return allocate

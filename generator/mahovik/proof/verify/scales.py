@@ -257,20 +257,20 @@ class Scales:
         return np.repeat([np.max(along[:3]), np.max(along[3:])], 3)
 
     def _shaken(self, at: Pieces) -> Iterator[Pieces]:
-        """Pieces whose S^T K S, S^T I and S^T F have all elements changed by D of their norms, in masses and inertias.
+        """Pieces whose K, I and F have all elements changed by D of their norms, with masses and inertias as units.
 
         A solver of least squares rounds relative to these norms, not to each element.
         """
-        L, Theta, rng = np.linalg.cholesky(at.S.T @ at.K @ at.S), np.sqrt(np.diag(at.Theta_ff)), self._rng
-        felt, lift = np.linalg.inv(L) @ at.S.T, np.linalg.pinv(at.S.T) @ L
-        W = felt @ at.I / Theta
-        size = sum(float(np.linalg.norm(felt @ term)) for term in _terms(at, np.zeros(6), np.zeros(len(Theta))))
-        of_I, of_F = (self._size * number for number in (float(np.linalg.norm(W)), size))
+        L, Theta, rng = np.linalg.cholesky(at.K), np.sqrt(np.diag(at.Theta_ff)), self._rng
+        root = np.linalg.inv(L)
+        X = root @ at.I / Theta
+        size = sum(float(np.linalg.norm(root @ term)) for term in _terms(at, np.zeros(6), np.zeros(len(Theta))))
+        of_I, of_F = (self._size * number for number in (float(np.linalg.norm(X)), size))
         for _ in range(PERTURBATIONS):
-            R = self._size * rng.uniform(-1.0, 1.0, (len(L), len(L)))
-            I = at.I + lift @ (of_I * rng.uniform(-0.4, 0.4, W.shape)) * Theta
-            F = at.F + lift @ (of_F * rng.uniform(-0.4, 0.4, len(L)))
-            yield replace(at, K=at.K + lift @ (R + R.T) @ lift.T / 2.0, I=I, F=F)
+            R = self._size * rng.uniform(-1.0, 1.0, (6, 6))
+            I = at.I + L @ (of_I * rng.uniform(-0.4, 0.4, X.shape)) * Theta
+            F = at.F + L @ (of_F * rng.uniform(-0.4, 0.4, 6))
+            yield replace(at, K=L @ (np.eye(6) + (R + R.T) / 2.0) @ L.T, I=I, F=F)
 
 
 class Laws:
