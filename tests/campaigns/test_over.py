@@ -185,7 +185,7 @@ def check_rows(folder: Path, hold: str, start: Any, vary: str, samples: int) -> 
 def test_a_row_is_the_motion_of_its_own_stand(
     tmp_path_factory: pytest.TempPathFactory, hold: str, start: dict[str, Any], data: st.DataObject
 ) -> None:
-    """Whichever number varies: of a body, a law, a motor, or the place where the carrier is held."""
+    """Any number may vary: of a body, of a law, of a motor, of the place where the carrier is held."""
     stand = mahovik.Stand.from_dict(tomllib.loads(LADEN + hold))
     fixed = ("hold.basis", "hold.axis", "hold.slide")
     numbers = [x for x in StandNumbers(stand, stand.to_dict(), motors=True) if not x.path.startswith(fixed)]

@@ -25,6 +25,7 @@ from mahovik.core.program.expression import (
     Status,
 )
 from mahovik.core.program.types import Kind, Precision, Struct
+from mahovik.core.program.walk import inside
 
 Element = tuple[int, str, int]
 """An element of an array of structs: `id` of the variable, the member that is the array, `id` of the index."""
@@ -162,7 +163,11 @@ class Expressions:
         left = self._side(e, e.left, level)
         if self._narrow(e.left) and (e.operator in ("<<", ">>") or self._narrow(e.right)):
             left = self._widen(e.left)
-        return f"{left} {e.operator} {self._side(e, e.right, level + 1)}", level
+        right = self._side(e, e.right, level + 1)
+        calls = any(isinstance(part, Choice) for part in inside(e.right))
+        if e.operator in ("&", "|") and isinstance(e.right, Compare) and calls:
+            right = f"(int){right}"  # clang warns of a comparison of what a function gives
+        return f"{left} {e.operator} {right}", level
 
     def _narrow(self, e: Expr) -> bool:
         """Would C compute this word with fewer bits? A small literal is an `unsigned int`."""

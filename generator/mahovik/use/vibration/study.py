@@ -305,7 +305,9 @@ class Vibration:
             messages.append(f"warning: {where}{words}{more}")
         if self.coarse is not None:
             near = f"coarse near {RPM * self.coarse:.6g} rpm"
-            messages.append(f"warning: {near}: time ended it before the largest amplitude was known to be the true one")
+            messages.append(
+                f"warning: {near}: its search ended before the largest amplitude was known to be the true one"
+            )
         unstable = [step for step, spectrum in self.whole.items() if spectrum.unstable]
         if unstable:
             messages.append(f"warning: unstable at {self.rpm(min(unstable))}: deviations from this motion grow")
@@ -491,7 +493,10 @@ class _Study:
             self.motions[x], self.solved[x] = motion, lines
 
     def follow(self, value: Array) -> bool:
-        """As `solve`, and from motions beside a value that has none or a smaller one; in steps where it has none."""
+        """Solve at values, then follow motions from each to the next that has a smaller one, or, in small steps, none.
+
+        False if that was ended before it was done.
+        """
         if not self.solve(value):
             return False
         for way in (value, value[::-1]):
